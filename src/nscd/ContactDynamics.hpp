@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/ContactTable.hpp"
+#include "nscd/Grains.hpp"
+#include "nscd/Walls.hpp"
+
+#include <memory>
+#include <mpi.h>
+#include <string>
+
+namespace nscd
+{
+
+/// How the contact problem is solved.
+struct Settings
+{
+    /// Allowed error of a grain's position per (sub-)step [m]; the sweeps stop when the natural-map
+    /// residual, in velocity units, is below tolerance/dt.
+    double tolerance = 1e-7;
+
+    /// Sweeps after which a step is accepted as it is (the report says so).
+    int maxSweeps = 200;
+
+    /// A sub-step moves no grain by more than this fraction of the smallest diameter.
+    double maxDisplacement = 0.5;
+
+    /// Number of spatial blocks, a power of two. The result depends on it, but not on the number of ranks.
+    int blocks = 8;
+};
+
+/// What one step did.
+struct StepReport
+{
+    std::size_t candidates = 0;   ///< pairs watched by the broad phase
+    std::size_t contacts = 0;     ///< contacts in the last contact problem (pairs that may touch within the step)
+    std::size_t active = 0;       ///< contacts with a non-zero impulse after the last sub-step
+    int subSteps = 0;
+    int sweeps = 0;               ///< summed over the sub-steps
+    bool converged = true;        ///< every sub-step reached the tolerance
+    double residual = 0;          ///< worst natural-map residual at the end of a sub-step [m/s]
+    double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
+    double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
+    double maxVelocity = 0;       ///< [m/s], after the step
+    double detectionTime = 0;     ///< wall clock [s]
+    double solutionTime = 0;      ///< wall clock [s]
+};
+
+/// Grains and fixed walls in frictional, perfectly inelastic contact (Signorini-Coulomb, time stepping after
+/// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel.
+///
+/// Every rank holds the state of all grains; the contact problem is shared out over the ranks by spatial blocks.
+/// The result is the same, bit for bit, for every number of ranks.  Works without MPI_Init on one rank.
+template <int D>
+class ContactDynamics
+{
+public:
+    /// Throws std::invalid_argument for sizes that differ, radii or masses <= 0, values that are not
+    /// finite, materials outside the table, or senseless settings; the message names the grain's id.
+    ContactDynamics(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings,
+                    MPI_Comm communicator = MPI_COMM_WORLD);
+    ~ContactDynamics();
+
+    ContactDynamics(ContactDynamics&&) noexcept;
+    ContactDynamics& operator=(ContactDynamics&&) noexcept;
+
+    const Grains<D>& grains() const;
+    const Walls<D>& walls() const;
+    const Settings& settings() const;
+
+    /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
+    /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
+    /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.
+    StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+
+    /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.
+    const Vectors<D>& contactImpulse() const;
+    const Spins<D>& contactSpinImpulse() const;
+
+    /// Length of the last step [s]; 0 before the first.
+    double lastTimeStep() const;
+
+    /// Deepest penetration of the present positions [m].
+    double worstOverlap() const;
+
+    /// Write grains, contacts and impulses to an HDF5 file: under a temporary name first, then renamed, so that
+    /// the file is either complete or absent.  Written by rank 0; collective.  Throws std::runtime_error.
+    void save(const std::string& file, double time) const;
+
+    /// Replace the state by a saved one and return its time: continuing equals, bit for bit, never having
+    /// stopped.  The number of grains comes from the file.  Throws std::runtime_error naming file and reason.
+    double load(const std::string& file);
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+extern template class ContactDynamics<2>;
+extern template class ContactDynamics<3>;
+
+}  // namespace nscd

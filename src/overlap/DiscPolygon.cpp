@@ -49,16 +49,16 @@ private:
 
 /// Line integrals along the boundary of (polygon within the unit disc).
 ///
-/// Each edge is written m + s d with m its middle and -1/2 <= s <= 1/2, which makes every term of the two
-/// cells that share an edge the same number with opposite signs.
+/// Every term of an edge is, bit for bit, the same number with the opposite sign for the cell on its other side.
 class UnitDiscIntegrals
 {
 public:
     /// Add the edge p -> q; bp and bq are 1 - |p|^2 and 1 - |q|^2.
     void addEdge(const Point2& p, double bp, const Point2& q, double bq)
     {
-        const Point2 m = 0.5 * (p + q), d = q - p;
-        const double c = cross(m, d);
+        const Point2 d = q - p, m = 0.5 * (p + q);
+        const double bm = 1 - m.squaredNorm();
+        const double c = cross(bm >= std::max(bp, bq) ? m : bp > bq ? p : q, d);  // of the point nearest the centre
 
         if (bp >= 0 && bq >= 0)
         {
@@ -66,26 +66,29 @@ public:
             return;
         }
 
-        const double d2 = d.squaredNorm(), foot = m.dot(d), reach2 = d2 - c * c;
-        if (bp < 0 && bq < 0 && !(reach2 > 0 && std::abs(foot) < 0.5 * d2))
+        const double pd = p.dot(d), qd = q.dot(d), d2 = d.squaredNorm(), reach2 = d2 - c * c;
+        if (bp < 0 && bq < 0 && !(reach2 > 0 && pd < 0 && qd > 0))
         {
             arcs_.add(p.dot(q), c);
             return;
         }
 
-        const double reach = std::sqrt(std::max(reach2, 0.0));
-        double s0 = -0.5, s1 = 0.5;
+        // The line comes nearest to the centre in foot, enters the disc at foot - before d, leaves it at foot + after d
+        const Point2 foot = Point2(d.y(), -d.x()) * (c / d2);
+        const double reach = std::sqrt(std::max(reach2, 0.0)) / d2, toP = -pd / d2, toQ = qd / d2;
+        double before = toP, after = toQ;
         if (bp < 0)
         {
-            s0 = std::clamp((-foot - reach) / d2, -0.5, 0.5);
-            arcs_.add(p.dot(m + s0 * d), (s0 + 0.5) * c);
+            before = std::max(std::min(reach, toP), -toQ);
+            arcs_.add(p.dot(foot - before * d), c * (toP - before));
         }
         if (bq < 0)
         {
-            s1 = std::clamp((-foot + reach) / d2, -0.5, 0.5);
-            arcs_.add(q.dot(m + s1 * d), (0.5 - s1) * c);
+            after = std::max(std::min(reach, toQ), -toP);
+            arcs_.add(q.dot(foot + after * d), c * (toQ - after));
         }
-        addChord((s1 - s0) * d, (s1 - s0) * c, std::max(bp, 0.0), std::max(bq, 0.0));
+        const double length = before + after;
+        addChord(length * d, length * c, std::max(bp, 0.0), std::max(bq, 0.0));
     }
 
     bool crossed() const { return crossed_; }

@@ -49,7 +49,9 @@ private:
 
 /// Line integrals along the boundary of (polygon within the unit disc).
 ///
-/// Every term of an edge is, bit for bit, the same number with the opposite sign for the cell on its other side.
+/// Every term of an edge is, bit for bit, the same number with the opposite sign for the cell on its other side;
+/// lengths along an edge are measured from the point of its line that is nearest to the centre, which keeps the
+/// digits of cells much larger than the disc.
 class UnitDiscIntegrals
 {
 public:
@@ -58,7 +60,8 @@ public:
     {
         const Point2 d = q - p, m = 0.5 * (p + q);
         const double bm = 1 - m.squaredNorm();
-        const double c = cross(bm >= std::max(bp, bq) ? m : bp > bq ? p : q, d);  // of the point nearest the centre
+        const Point2& nearest = bm >= std::max(bp, bq) ? m : bp > bq ? p : q;
+        const double c = cross(nearest, d);
 
         if (bp >= 0 && bq >= 0)
         {
@@ -155,12 +158,11 @@ AreaMoment discPolygon(const Point2& centre, double radius, const Point2* vertic
     if (!(area > 0)) return nothing;
 
     // The centroid of a sliver is noise in the last digits of the area: keep it within disc and polygon.
-    Point2 centroid;
+    Point2 centroid = sum.moment();
     for (int i = 0; i < 2; ++i)
     {
-        const double least = std::max(low[i], -1.0), most = std::min(high[i], 1.0);
-        const double moment = sum.moment()[i];
-        centroid[i] = std::abs(moment) < 2 * area ? std::clamp(moment / area, least, most) : (moment > 0 ? most : least);
+        const double quotient = std::clamp(centroid[i], -area, area) / area;
+        centroid[i] = std::clamp(quotient, std::max(low[i], -1.0), std::min(high[i], 1.0));
     }
     return {area * radius * radius, centre + radius * centroid};
 }

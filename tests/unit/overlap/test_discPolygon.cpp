@@ -183,7 +183,7 @@ TEST(DiscPolygon, NearlyTangentEdgeIsContinuous)
 TEST(DiscPolygon, CollinearAndRepeatedVerticesChangeNothing)
 {
     const Polygon plain = {{0.2, -0.3}, {2, -0.3}, {2, 1.5}, {0.2, 1.5}};
-    const Polygon refined = {{0.2, -0.3}, {0.6, -0.3}, {0.6, -0.3}, {2, -0.3}, {2, -0.3},
+    const Polygon refined = {{0.2, -0.3}, {0.6, -0.3}, {0.6, -0.3}, {2, -0.3},     {2, -0.3},
                              {2, 0.1},    {2, 1.5},    {0.2, 1.5},  {0.2, 0.9798}, {0.2, 0.0}};
     const AreaMoment a = unitDisc(plain);
     expectNear(unitDisc(refined), a.area, a.centroid);
@@ -203,8 +203,8 @@ TEST(DiscPolygon, NonConvexCellIsTheSumOfItsConvexParts)
                 const AreaMoment leg = discPolygon(c, r, rectangle(0, 1, 1, 2));
                 EXPECT_NEAR(whole.area, foot.area + leg.area, 1e-15 * pi * r * r);
 
-                const Point2 moment = whole.area * (whole.centroid - c) - foot.area * (foot.centroid - c)
-                                      - leg.area * (leg.centroid - c);
+                const Point2 moment =
+                    whole.area * (whole.centroid - c) - foot.area * (foot.centroid - c) - leg.area * (leg.centroid - c);
                 EXPECT_LT(moment.norm(), 2e-15 * r * r * r);
             }
         }
@@ -242,10 +242,10 @@ TEST(DiscPolygon, SliversHaveFiniteCentroidsWithinDiscAndCell)
     for (double e : {1e-3, 1e-6, 1e-8, 1e-10, 1e-13, 1e-15, 1e-16})
     {
         const Polygon slivers[] = {
-            rectangle(1 - e, -2, 3, 2),                                           // circular segment
-            rectangle(-0.5, 0.3, 0.5, 0.3 + e),                                   // thin cell
-            {{std::sqrt(0.5) - e, std::sqrt(0.5) - e}, {2, 0.9}, {0.9, 2}},       // corner
-            {{0, 0}, {2, 1}, {2, 1 + e}},                                         // needle
+            rectangle(1 - e, -2, 3, 2),                                            // circular segment
+            rectangle(-0.5, 0.3, 0.5, 0.3 + e),                                    // thin cell
+            {{std::sqrt(0.5) - e, std::sqrt(0.5) - e}, {2, 0.9}, {0.9, 2}},        // corner
+            {{0, 0}, {2, 1}, {2, 1 + e}},                                          // needle
             {{std::sqrt(1 - e), 0}, {std::sqrt(1 - e) + 1, e}, {1, 2 * e + 1e-9}}  // nearly tangent needle
         };
         for (const Polygon& cell : slivers)

@@ -74,9 +74,8 @@ double partitionError(const Mesh& mesh, const Point2& centre, double radius)
     return std::max(std::abs(area / whole - 1), moment.norm() / (whole * radius));
 }
 
-const std::string kinds[] = {"squares",         "rotated squares",   "warped squares",
-                             "triangles",       "rotated triangles", "warped triangles",
-                             "warped rotated triangles"};
+const std::string kinds[] = {"squares",           "rotated squares",  "warped squares",          "triangles",
+                             "rotated triangles", "warped triangles", "warped rotated triangles"};
 
 /// Radii in units of the cell's size for h/d from 1/30 to 30.
 const double radii[] = {15, 5, 1.5, 0.5, 1. / 6, 1. / 20, 1. / 60};
@@ -113,13 +112,13 @@ TEST(PartitionOfUnity, HoldsWhereVerticesAndEdgesMeetCentreAndCircle)
             const Point2 vertex = cell[0], edge = cell[1] - cell[0];
             const Point2 normal = Point2(-edge.y(), edge.x()).normalized();
             const Point2 along = edge.normalized();
-            const Point2 places[] = {vertex,                               // centre on a vertex
-                                     vertex + 0.5 * edge,                  // centre on an edge
+            const Point2 places[] = {vertex,               // centre on a vertex
+                                     vertex + 0.5 * edge,  // centre on an edge
                                      vertex + 0.25 * edge,
-                                     vertex + 0.5 * edge + r * normal,     // circle touches an edge
+                                     vertex + 0.5 * edge + r * normal,  // circle touches an edge
                                      vertex + 0.5 * edge - r * normal,
-                                     vertex + r * normal,                  // circle touches at a vertex
-                                     vertex + r * along,                   // circle through a vertex
+                                     vertex + r * normal,  // circle touches at a vertex
+                                     vertex + r * along,   // circle through a vertex
                                      vertex + 0.6 * r * along + 0.8 * r * normal,
                                      polygon(cell).centroid};
             for (const Point2& place : places)

@@ -112,7 +112,8 @@ double byStrips(const Polygon& cell)
     std::sort(ends.begin(), ends.end());
 
     // Gauss-Legendre, 4 points on each of 8 parts
-    const double nodes[] = {0.8611363115940526, 0.3399810435848563}, weights[] = {0.3478548451374538, 0.6521451548625461};
+    const double nodes[] = {0.8611363115940526, 0.3399810435848563},
+                 weights[] = {0.3478548451374538, 0.6521451548625461};
     const int parts = 8;
     double area = 0;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
@@ -187,7 +188,8 @@ TEST(RandomPairs, AgreeWithSignedTrianglesOnALattice)
         const double w = 0.25 * size(random), h = 0.25 * size(random);
         const Polygon cell = pair % 2 ? rectangle(x, y, x + w, y + h) : Polygon{{x, y}, {x + w, y}, {x, y + h}};
         const Reference exact = bySignedTriangles({0, 0}, r, cell);
-        worst = std::max(worst, static_cast<double>(std::abs(discPolygon({0, 0}, r, cell).area / (r * r) - exact.area)));
+        worst =
+            std::max(worst, static_cast<double>(std::abs(discPolygon({0, 0}, r, cell).area / (r * r) - exact.area)));
     }
     EXPECT_LT(worst, 3e-15);
 }

@@ -5,10 +5,10 @@
 
 #include "nscd/ContactTable.hpp"
 #include "nscd/Grains.hpp"
+#include "nscd/Mpi.hpp"
 #include "nscd/Walls.hpp"
 
 #include <memory>
-#include <mpi.h>
 #include <string>
 
 namespace nscd

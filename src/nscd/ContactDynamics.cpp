@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nscd/Implementation.hpp"
+#include "nscd/Validation.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace nscd
+{
+
+namespace
+{
+
+template <int D>
+void requireFinite(const Vectors<D>& vectors, const Spins<D>& spins, const Grains<D>& grains, const char* vectorName,
+                   const char* spinName)
+{
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const bool vectorIsFinite = isFinite(vectors[i]);
+        if (!vectorIsFinite || !isFinite(spins[i]))
+        {
+            throw std::runtime_error("grain " + std::to_string(grains.id[i]) + ": " +
+                                     (vectorIsFinite ? spinName : vectorName) + " is not finite");
+        }
+    }
+}
+
+}  // namespace
+
+template <int D>
+ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> walls, ContactTable table,
+                                                   Settings settings, MPI_Comm communicator)
+    : grains_(std::move(grains)), walls_((validate(walls, table), std::move(walls))),
+      table_((validate(table), std::move(table))), settings_(settings), communicator_(communicator),
+      arrangement_(walls_, table_)
+{
+    validate(settings_);
+    validate(grains_, table_);
+    contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
+    contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
+    measureRadii();
+    rebuildCandidates(grains_.position, restSkin * meanRadius_, {});
+    StepReport report;
+    measureOverlaps(report);
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureRadii()
+{
+    smallestRadius_ = std::numeric_limits<double>::max();
+    meanRadius_ = 0;
+    for (const double r : grains_.radius)
+    {
+        smallestRadius_ = std::min(smallestRadius_, r);
+        meanRadius_ += r / static_cast<double>(grains_.size());
+    }
+}
+
+template <int D>
+StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, const Spins<D>& torque, double dt)
+{
+    if (force.size() != grains_.size() || torque.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " + std::to_string(force.size()) +
+                                    " forces and " + std::to_string(torque.size()) + " torques");
+    }
+    if (!(dt > 0) || !std::isfinite(dt))
+    {
+        throw std::invalid_argument("time step " + std::to_string(dt) + " s is not positive");
+    }
+    requireFinite(force, torque, grains_, "force", "torque");
+    requireFinite(grains_.velocity, grains_.spin, grains_, "velocity", "spin");
+
+    StepReport report;
+    report.subSteps = countSubSteps(force, torque, dt);
+    std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
+    std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
+    const double subStep = dt / report.subSteps;
+    for (int s = 0; s < report.subSteps; ++s)
+    {
+        advance(freeMotion(force, torque, subStep), subStep, report);
+    }
+    lastTimeStep_ = dt;
+
+    const Stopwatch watch;
+    measureOverlaps(report);
+    for (const Vector<D>& v : grains_.velocity)
+    {
+        report.maxVelocity = std::max(report.maxVelocity, v.norm());
+    }
+    report.detectionTime += watch.seconds();
+    return report;
+}
+
+template <int D>
+int ContactDynamics<D>::Implementation::countSubSteps(const Vectors<D>& force, const Spins<D>& torque,
+                                                      double dt) const
+{
+    const double farthest = dt * freeMotion(force, torque, dt).largestSpeed;
+    const double subSteps = std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_));
+    if (subSteps > std::numeric_limits<int>::max())
+    {
+        throw std::runtime_error("a grain would move by " + std::to_string(farthest) + " m in a step of " +
+                                 std::to_string(dt) + " s: too far for sub-steps");
+    }
+    return std::max(1, static_cast<int>(subSteps));
+}
+
+template <int D>
+auto ContactDynamics<D>::Implementation::freeMotion(const Vectors<D>& force, const Spins<D>& torque,
+                                                    double dt) const -> FreeMotion
+{
+    FreeMotion free;
+    free.velocity.resize(grains_.size());
+    free.spin.resize(grains_.size());
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        const double inertia = inertiaFactor<D> * grains_.mass[i] * grains_.radius[i] * grains_.radius[i];
+        free.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
+        free.spin[i] = grains_.spin[i] + (dt / inertia) * torque[i];
+        free.largestSpeed = std::max(free.largestSpeed, free.velocity[i].norm());
+    }
+    return free;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
+{
+    arrangement_.move(grains_, candidates_.order());
+    std::vector<double> sums(2 * candidates_.blocks(), 0.0);   // depths and numbers of each block
+    double worst = 0;
+    for (const Group& group : candidates_.groups())
+    {
+        for (std::size_t p = group.begin; p < group.end; ++p)
+        {
+            const double depth = arrangement_.depth(candidates_.pairs()[p]);
+            if (depth > 0)
+            {
+                sums[2 * group.first] += depth;
+                sums[2 * group.first + 1] += 1;
+                worst = std::max(worst, depth);
+            }
+        }
+    }
+    worstOverlap_ = communicator_.max(worst);
+    communicator_.sum(sums);
+    double depth = 0;
+    double number = 0;
+    for (std::size_t b = 0; b < sums.size(); b += 2)
+    {
+        depth += sums[b];
+        number += sums[b + 1];
+    }
+    report.worstOverlap = worstOverlap_;
+    report.meanOverlap = number > 0 ? depth / number : 0;
+}
+
+template <int D>
+ContactDynamics<D>::ContactDynamics(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings,
+                                    MPI_Comm communicator)
+    : implementation_(std::make_unique<Implementation>(std::move(grains), std::move(walls), std::move(table), settings,
+                                                       communicator))
+{
+}
+
+template <int D>
+ContactDynamics<D>::~ContactDynamics() = default;
+
+template <int D>
+ContactDynamics<D>::ContactDynamics(ContactDynamics&&) noexcept = default;
+
+template <int D>
+ContactDynamics<D>& ContactDynamics<D>::operator=(ContactDynamics&&) noexcept = default;
+
+template <int D>
+const Grains<D>& ContactDynamics<D>::grains() const
+{
+    return implementation_->grains();
+}
+
+template <int D>
+const Walls<D>& ContactDynamics<D>::walls() const
+{
+    return implementation_->walls();
+}
+
+template <int D>
+const Settings& ContactDynamics<D>::settings() const
+{
+    return implementation_->settings();
+}
+
+template <int D>
+StepReport ContactDynamics<D>::step(const Vectors<D>& force, const Spins<D>& torque, double dt)
+{
+    return implementation_->step(force, torque, dt);
+}
+
+template <int D>
+const Vectors<D>& ContactDynamics<D>::contactImpulse() const
+{
+    return implementation_->contactImpulse();
+}
+
+template <int D>
+const Spins<D>& ContactDynamics<D>::contactSpinImpulse() const
+{
+    return implementation_->contactSpinImpulse();
+}
+
+template <int D>
+double ContactDynamics<D>::lastTimeStep() const
+{
+    return implementation_->lastTimeStep();
+}
+
+template <int D>
+double ContactDynamics<D>::worstOverlap() const
+{
+    return implementation_->worstOverlap();
+}
+
+template <int D>
+void ContactDynamics<D>::save(const std::string& file, double time) const
+{
+    implementation_->save(file, time);
+}
+
+template <int D>
+double ContactDynamics<D>::load(const std::string& file)
+{
+    return implementation_->load(file);
+}
+
+template class ContactDynamics<2>;
+template class ContactDynamics<3>;
+
+}  // namespace nscd

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/Mpi.hpp"
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nscd
+{
+
+/// A two-dimensional table of numbers, row after row.
+template <class T>
+struct Table
+{
+    std::size_t rows, columns;
+    std::vector<T> values;
+};
+
+/// An HDF5 identifier that closes itself.
+class Hdf5Handle
+{
+public:
+    Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+    Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+    Hdf5Handle(const Hdf5Handle&) = delete;
+    Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+    Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+    ~Hdf5Handle() { close(); }
+
+    operator hid_t() const { return id_; }
+
+    /// False when closing, which may be what writes to disc, fails.
+    bool close();
+
+private:
+    hid_t id_;
+    herr_t (*close_)(hid_t);
+};
+
+/// An HDF5 file opened by one process.  Tables of double and std::int64_t; attributes of the root group.
+/// Every function throws std::runtime_error with the file's name and HDF5's own reason; HDF5 itself prints nothing.
+class Hdf5File
+{
+public:
+    enum class Mode
+    {
+        read,
+        create
+    };
+
+    Hdf5File(const std::string& name, Mode mode);
+
+    /// Finish a created file; must be called for it to be complete.
+    void close();
+
+    /// A '/' in the name makes a group; 'units' becomes an attribute of the data set, e.g. "m/s".
+    template <class T>
+    void write(const std::string& name, const Table<T>& table, const std::string& units);
+
+    template <class T>
+    Table<T> read(const std::string& name) const;
+
+    void writeAttribute(const std::string& name, double value);
+    void writeAttribute(const std::string& name, const std::string& text);
+    double readNumber(const std::string& name) const;
+    std::string readText(const std::string& name) const;
+
+private:
+    hid_t check(hid_t result, const std::string& action) const;
+
+    /// Switches HDF5's printing of errors off while it lives.
+    class Quiet
+    {
+    public:
+        Quiet();
+        ~Quiet();
+        Quiet(const Quiet&) = delete;
+        Quiet& operator=(const Quiet&) = delete;
+
+    private:
+        H5E_auto2_t function_ = nullptr;
+        void* data_ = nullptr;
+    };
+
+    std::string name_;
+    Quiet quiet_;
+    Hdf5Handle file_;
+};
+
+}  // namespace nscd

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/ContactDynamics.hpp"
+#include "nscd/ContactProblem.hpp"
+#include "nscd/Stopwatch.hpp"
+
+namespace nscd
+{
+
+template <int D>
+class ContactDynamics<D>::Implementation
+{
+public:
+    Implementation(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings, MPI_Comm communicator);
+
+    const Grains<D>& grains() const { return grains_; }
+    const Walls<D>& walls() const { return walls_; }
+    const Settings& settings() const { return settings_; }
+    const Vectors<D>& contactImpulse() const { return contactImpulse_; }
+    const Spins<D>& contactSpinImpulse() const { return contactSpinImpulse_; }
+    double lastTimeStep() const { return lastTimeStep_; }
+    double worstOverlap() const { return worstOverlap_; }
+
+    StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void save(const std::string& file, double time) const;
+    double load(const std::string& file);
+
+private:
+    /// Velocities that the grains would have without contacts.
+    struct FreeMotion
+    {
+        Vectors<D> velocity;
+        Spins<D> spin;
+        double largestSpeed = 0;
+    };
+
+    /// A list of candidates made for grains at rest holds until one has moved by half this fraction of the mean radius.
+    static constexpr double restSkin = 0.3;
+
+    void measureRadii();
+    int countSubSteps(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
+    FreeMotion freeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
+    void advance(const FreeMotion& free, double dt, StepReport& report);
+    void updateCandidates(const FreeMotion& free, double dt);
+    void rebuildCandidates(const Vectors<D>& positions, double skin, const std::vector<NamedImpulse<D>>& impulses);
+    std::vector<Body<D>> makeBodies(const FreeMotion& free) const;
+    void solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt, StepReport& report);
+    void move(const FreeMotion& free, const std::vector<Body<D>>& bodies, double dt);
+
+    /// Penetration of the present positions; collective.
+    void measureOverlaps(StepReport& report);
+
+    Grains<D> grains_;
+    Walls<D> walls_;
+    ContactTable table_;
+    Settings settings_;
+    Communicator communicator_;
+    Arrangement<D> arrangement_;
+
+    double smallestRadius_ = 0, meanRadius_ = 0;
+    Candidates<D> candidates_;
+    std::unique_ptr<Schedule<D>> schedule_;
+    std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
+
+    Vectors<D> contactImpulse_;
+    Spins<D> contactSpinImpulse_;
+    double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
+};
+
+}  // namespace nscd

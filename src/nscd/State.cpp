@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nscd/State.hpp"
+
+#include "nscd/Hdf5.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace nscd
+{
+
+namespace
+{
+
+const std::string format = "grainFoam grains";
+constexpr int version = 1;
+
+template <class V>
+Table<double> toTable(const std::vector<V>& vectors)
+{
+    constexpr int columns = V::RowsAtCompileTime;
+    Table<double> table{vectors.size(), columns, {}};
+    for (const V& v : vectors)
+    {
+        table.values.insert(table.values.end(), v.data(), v.data() + columns);
+    }
+    return table;
+}
+
+template <class To, class From>
+Table<To> toColumn(const std::vector<From>& values)
+{
+    return {values.size(), 1, std::vector<To>(values.begin(), values.end())};
+}
+
+template <class T>
+Table<T> readTable(const Hdf5File& in, const std::string& file, const std::string& name, std::size_t rows,
+                   std::size_t columns)
+{
+    Table<T> table = in.read<T>(name);
+    if (table.rows != rows || table.columns != columns)
+    {
+        throw std::runtime_error(file + ": " + name + " is " + std::to_string(table.rows) + " x " +
+                                 std::to_string(table.columns) + " instead of " + std::to_string(rows) + " x " +
+                                 std::to_string(columns));
+    }
+    return table;
+}
+
+template <class V>
+std::vector<V> toVectors(const Table<double>& table)
+{
+    std::vector<V> vectors(table.rows);
+    for (std::size_t i = 0; i < table.rows; ++i)
+    {
+        std::copy_n(table.values.data() + i * table.columns, table.columns, vectors[i].data());
+    }
+    return vectors;
+}
+
+template <int D>
+void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
+{
+    constexpr std::size_t columns = sizeof(Tangent<D>) / sizeof(double);
+    Table<std::int64_t> pair{impulses.size(), 2, {}};
+    Table<double> normal{impulses.size(), 1, {}};
+    Table<double> tangential{impulses.size(), columns, {}};
+    for (const NamedImpulse<D>& i : impulses)
+    {
+        pair.values.insert(pair.values.end(), {i.a, i.b});
+        normal.values.push_back(i.impulse.normal);
+        if constexpr (D == 2)
+        {
+            tangential.values.push_back(i.impulse.tangential);
+        }
+        else
+        {
+            tangential.values.insert(tangential.values.end(), i.impulse.tangential.data(),
+                                     i.impulse.tangential.data() + columns);
+        }
+    }
+    out.write("contacts/pair", pair, "row of a grain; -1-w for wall w");
+    out.write("contacts/normalImpulse", normal, "N s");
+    out.write("contacts/tangentialImpulse", tangential, "N s, on the second of the pair");
+}
+
+template <int D>
+std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string& file, std::size_t grains)
+{
+    const std::size_t n = in.read<std::int64_t>("contacts/pair").rows;
+    const Table<std::int64_t> pair = readTable<std::int64_t>(in, file, "contacts/pair", n, 2);
+    const Table<double> normal = readTable<double>(in, file, "contacts/normalImpulse", n, 1);
+    const Table<double> tangential =
+        readTable<double>(in, file, "contacts/tangentialImpulse", n, sizeof(Tangent<D>) / sizeof(double));
+    std::vector<NamedImpulse<D>> impulses;
+    for (std::size_t c = 0; c < n; ++c)
+    {
+        const std::int64_t a = pair.values[2 * c];
+        const std::int64_t b = pair.values[2 * c + 1];
+        const auto count = static_cast<std::int64_t>(grains);
+        if (a < 0 || a >= count || b >= count || a == b)
+        {
+            throw std::runtime_error(file + ": contact " + std::to_string(c) + " is between rows " +
+                                     std::to_string(a) + " and " + std::to_string(b) + " of " +
+                                     std::to_string(grains) + " grains");
+        }
+        NamedImpulse<D> impulse{static_cast<int>(a), static_cast<int>(b), {}};
+        impulse.impulse.normal = normal.values[c];
+        const double* t = tangential.values.data() + c * tangential.columns;
+        if constexpr (D == 2)
+        {
+            impulse.impulse.tangential = *t;
+        }
+        else
+        {
+            impulse.impulse.tangential = Vector<3>(t[0], t[1], t[2]);
+        }
+        impulses.push_back(impulse);
+    }
+    return impulses;
+}
+
+[[noreturn]] void throwSystemError(const std::string& file, const std::string& action)
+{
+    throw std::runtime_error(file + ": " + action + ": " + std::strerror(errno));
+}
+
+/// Wait until the contents of a file, or the entries of a directory, are on disc.
+void synchronise(const std::string& name, int flags)
+{
+    const int descriptor = ::open(name.c_str(), flags);
+    if (descriptor < 0)
+    {
+        throwSystemError(name, "cannot be opened");
+    }
+    const bool failed = ::fsync(descriptor) != 0 && errno != EINVAL;
+    ::close(descriptor);
+    if (failed)
+    {
+        throwSystemError(name, "cannot be brought to disc");
+    }
+}
+
+}  // namespace
+
+template <int D>
+void writeState(const std::string& file, const State<D>& s)
+{
+    const std::string temporary = file + ".part";
+    Hdf5File out(temporary, Hdf5File::Mode::create);
+    out.writeAttribute("format", format);
+    out.writeAttribute("version", version);
+    out.writeAttribute("dimension", D);
+    out.writeAttribute("time", s.time);
+    out.writeAttribute("lastTimeStep", s.lastTimeStep);
+    out.writeAttribute("lastSubStep", s.lastSubStep);
+    out.writeAttribute("candidateSkin", s.candidateSkin);
+    out.write("id", toColumn<std::int64_t>(s.grains.id), "1");
+    out.write("position", toTable(s.grains.position), "m");
+    out.write("velocity", toTable(s.grains.velocity), "m/s");
+    out.write("spin", toTable(s.grains.spin), "rad/s");
+    out.write("radius", toColumn<double>(s.grains.radius), "m");
+    out.write("mass", toColumn<double>(s.grains.mass), "kg");
+    out.write("material", toColumn<std::int64_t>(s.grains.material), "1");
+    out.write("temperature", toColumn<double>(s.grains.temperature), "K");
+    out.write("contactImpulse", toTable(s.contactImpulse), "N s");
+    out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
+    out.write("candidatePosition", toTable(s.candidatePosition), "m");
+    writeContacts<D>(out, s.impulses);
+    out.close();
+
+    synchronise(temporary, O_RDONLY);
+    if (std::rename(temporary.c_str(), file.c_str()) != 0)
+    {
+        throwSystemError(file, "cannot be replaced");
+    }
+    const std::size_t slash = file.rfind('/');
+    synchronise(slash == std::string::npos ? "." : file.substr(0, slash + 1), O_RDONLY | O_DIRECTORY);
+}
+
+template <int D>
+State<D> readState(const std::string& file)
+{
+    const Hdf5File in(file, Hdf5File::Mode::read);
+    if (in.readText("format") != format)
+    {
+        throw std::runtime_error(file + ": its format is '" + in.readText("format") + "' instead of '" + format + "'");
+    }
+    const auto expect = [&](const std::string& attribute, int wanted)
+    {
+        const double found = in.readNumber(attribute);
+        if (found != wanted)
+        {
+            throw std::runtime_error(file + ": its " + attribute + " is " + std::to_string(static_cast<int>(found)) +
+                                     " instead of " + std::to_string(wanted));
+        }
+    };
+    expect("version", version);
+    expect("dimension", D);
+
+    State<D> s;
+    s.time = in.readNumber("time");
+    s.lastTimeStep = in.readNumber("lastTimeStep");
+    s.lastSubStep = in.readNumber("lastSubStep");
+    s.candidateSkin = in.readNumber("candidateSkin");
+    const std::size_t n = in.read<std::int64_t>("id").rows;
+    const auto column = [&](const std::string& name) { return readTable<double>(in, file, name, n, 1).values; };
+    const auto integers = [&](const std::string& name) { return readTable<std::int64_t>(in, file, name, n, 1).values; };
+    const auto vectors = [&](const std::string& name)
+    { return toVectors<Vector<D>>(readTable<double>(in, file, name, n, D)); };
+    const auto spins = [&](const std::string& name)
+    { return toVectors<Spin<D>>(readTable<double>(in, file, name, n, Spin<D>::RowsAtCompileTime)); };
+
+    s.grains.id = integers("id");
+    s.grains.position = vectors("position");
+    s.grains.velocity = vectors("velocity");
+    s.grains.spin = spins("spin");
+    s.grains.radius = column("radius");
+    s.grains.mass = column("mass");
+    const std::vector<std::int64_t> material = integers("material");
+    s.grains.material.assign(material.begin(), material.end());
+    s.grains.temperature = column("temperature");
+    s.contactImpulse = vectors("contactImpulse");
+    s.contactSpinImpulse = spins("contactSpinImpulse");
+    s.candidatePosition = vectors("candidatePosition");
+    s.impulses = readContacts<D>(in, file, n);
+    return s;
+}
+
+template void writeState<2>(const std::string&, const State<2>&);
+template void writeState<3>(const std::string&, const State<3>&);
+template State<2> readState<2>(const std::string&);
+template State<3> readState<3>(const std::string&);
+
+}  // namespace nscd

@@ -1,0 +1,106 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainTracks.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "grainSystem.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(grainTracks, 0);
+    addToRunTimeSelectionTable(functionObject, grainTracks, dictionary);
+}
+}
+
+
+Foam::functionObjects::grainTracks::grainTracks
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict)
+{
+    read(dict);
+}
+
+
+bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    ids_ = labelHashSet(dict.getOrDefault<labelList>("grains", labelList()));
+    return true;
+}
+
+
+Foam::OFstream& Foam::functionObjects::grainTracks::file()
+{
+    if (!file_)
+    {
+        const fileName dir
+        (
+            time_.globalPath()/"postProcessing"/name()
+           /Time::timeName(time_.startTime().value())
+        );
+        mkDir(dir);
+        file_.reset(new OFstream(dir/"grains.csv"));
+        file_().precision(17);
+        file_() << "time,id,x,y,z,vx,vy,vz,wx,wy,wz,fx,fy,fz" << nl;
+    }
+    return file_();
+}
+
+
+bool Foam::functionObjects::grainTracks::write()
+{
+    const auto* grainsPtr =
+        mesh_.cfindObject<grainSystem>(grainSystem::registryName);
+
+    if (!grainsPtr)
+    {
+        FatalErrorInFunction
+            << "Function object " << name() << " of type " << type()
+            << " finds no grains: this solver has none" << nl
+            << "    allowed: the solvers of grainFoam" << exit(FatalError);
+    }
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
+    const grainSystem& grains = *grainsPtr;
+    const nscd::Grains<2>& state = grains.dynamics().grains();
+
+    Ostream& os = file();
+    for (label i = 0; i < grains.size(); ++i)
+    {
+        if (ids_.size() && !ids_.found(label(state.id[i])))
+        {
+            continue;
+        }
+        os  << time_.timeName() << ',' << label(state.id[i]);
+        for
+        (
+            const vector& v :
+            {
+                vector(grains.centres()[i]),
+                grains.velocity(i, Zero),
+                grains.plane().spinInSpace(state.spin[i][0]),
+                vector(grains.fluidForce()[i])
+            }
+        )
+        {
+            os  << ',' << v.x() << ',' << v.y() << ',' << v.z();
+        }
+        os  << nl;
+    }
+    os.flush();
+    return true;
+}

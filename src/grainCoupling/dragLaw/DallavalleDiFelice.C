@@ -1,0 +1,59 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "DallavalleDiFelice.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryInput.H"
+
+namespace Foam
+{
+namespace dragLaws
+{
+    defineTypeNameAndDebug(DallavalleDiFelice, 0);
+    addToRunTimeSelectionTable(dragLaw, DallavalleDiFelice, dictionary);
+}
+}
+
+
+Foam::dragLaws::DallavalleDiFelice::DallavalleDiFelice(const dictionary& dict)
+{
+    dictionaryInput::checkKeywords(dict, {"type", "shape"});
+
+    const word shape(dict.get<word>("shape"));
+    if (shape == "disc")
+    {
+        shapeFactor_ = disc;
+    }
+    else if (shape == "sphere")
+    {
+        shapeFactor_ = sphere;
+    }
+    else
+    {
+        dictionaryInput::badValue(dict, "shape", shape, "disc, sphere");
+    }
+}
+
+
+Foam::scalar Foam::dragLaws::DallavalleDiFelice::gamma
+(
+    const scalar shapeFactor,
+    const scalar eps,
+    const scalar w,
+    const scalar d,
+    const scalar rho,
+    const scalar mu
+)
+{
+    // The dip of the exponent vanishes on both sides; the floor only keeps
+    // the logarithm finite at rest
+    const scalar Re = eps*rho*w*d/mu;
+    const scalar fromDip = 1.5 - std::log10(std::max(Re, 1e-20));
+    const scalar exponent = 2.8 - 0.65*std::exp(-0.5*fromDip*fromDip);
+    const scalar root = shapeFactor*(0.63*std::sqrt(Re) + 4.8);
+
+    return std::pow(eps, -exponent)*root*root*mu/(d*d);
+}

@@ -1,0 +1,23 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dragLaw.H"
+
+#include "selected.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(dragLaw, 0);
+    defineRunTimeSelectionTable(dragLaw, dictionary);
+}
+
+
+Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New(const dictionary& dict)
+{
+    return dictionaryInput::selected
+    (
+        *dictionaryConstructorTablePtr_, dict, "drag law"
+    )(dict);
+}

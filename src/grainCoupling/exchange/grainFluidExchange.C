@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainFluidExchange.H"
+
+#include "dictionaryInput.H"
+#include "zeroGradientFvPatchFields.H"
+
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
+Foam::grainFluidExchange::zeroField
+(
+    const word& name,
+    const dimensionSet& dims
+) const
+{
+    return GeometricField<Type, fvPatchField, volMesh>
+    (
+        IOobject(name, mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensioned<Type>(dims, Zero)
+    );
+}
+
+
+Foam::grainFluidExchange::grainFluidExchange
+(
+    grainSystem& grains,
+    const dimensionedScalar& rho,
+    const dimensionedScalar& mu
+)
+:
+    grains_(grains),
+    mesh_(grains.mesh()),
+    rho_(rho),
+    mu_(mu),
+    drag_
+    (
+        dragLaw::New
+        (
+            dictionaryInput::subDict
+            (
+                grains.properties().coupling(), "drag"
+            )
+        )
+    ),
+    eps_
+    (
+        IOobject
+        (
+            "eps",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar("eps", dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    overfull_(0),
+    kappa_(zeroField<scalar>("kappa", dimless)),
+    beta_(zeroField<scalar>("beta", dimDensity/dimTime)),
+    b_(zeroField<vector>("b", dimForce/dimVolume)),
+    G_(zeroField<vector>("G", dimVelocity)),
+    K_(zeroField<scalar>("K", dimTime/dimDensity)),
+    given_(Zero),
+    received_(Zero)
+{
+    setEps();
+}
+
+
+void Foam::grainFluidExchange::setEps()
+{
+    const overlapList& overlaps = grains_.overlaps();
+
+    scalarField solid(mesh_.nCells(), Zero);
+    for (label k = 0; k < overlaps.size(); ++k)
+    {
+        solid[overlaps.cell[k]] += overlaps.volume[k];
+    }
+
+    overfull_ = 0;
+    forAll(solid, celli)
+    {
+        const scalar room = mesh_.V()[celli] - solid[celli];
+        eps_[celli] = max(room, scalar(0))/mesh_.V()[celli];
+        overfull_ += max(-room, scalar(0));
+    }
+    reduce(overfull_, sumOp<scalar>());
+    eps_.correctBoundaryConditions();
+}
+
+
+void Foam::grainFluidExchange::predict(const volVectorField& U)
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    gamma_.resize(overlaps.size());
+    a_.resize(overlaps.size());
+    vo_.resize(overlaps.size());
+
+    kappa_ = dimensionedScalar(kappa_.dimensions(), Zero);
+    beta_ = dimensionedScalar(beta_.dimensions(), Zero);
+    b_ = dimensionedVector(b_.dimensions(), Zero);
+    G_ = dimensionedVector(G_.dimensions(), Zero);
+    K_ = dimensionedScalar(K_.dimensions(), Zero);
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (overlaps.start[graini] == overlaps.start[graini + 1])
+        {
+            continue;
+        }
+        const scalar rhop = grains_.density(graini);
+        const scalar d = grains_.fluidDiameter(graini);
+        const vector weight((1 - rho_.value()/rhop)*deltaT*grains_.properties().g());
+
+        for
+        (
+            label k = overlaps.start[graini];
+            k < overlaps.start[graini + 1];
+            ++k
+        )
+        {
+            const label celli = overlaps.cell[k];
+            const vector& arm = overlaps.arm[k];
+            const vector v(grains_.velocity(graini, arm));
+
+            gamma_[k] = drag_->gamma
+            (
+                max(eps_[celli], epsMin), mag(U[celli] - v), d,
+                rho_.value(), mu_.value()
+            );
+            a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
+            vo_[k] =
+                v + weight + grains_.contactVelocity(graini, arm, deltaT);
+
+            const scalar w = overlaps.volume[k]/mesh_.V()[celli];
+            kappa_[celli] += w*(1 - a_[k]);
+            beta_[celli] += w*gamma_[k]*a_[k];
+            b_[celli] += w*gamma_[k]*a_[k]*vo_[k];
+            G_[celli] += w*a_[k]*vo_[k];
+            K_[celli] += w*a_[k]*deltaT/rhop;
+        }
+    }
+
+    kappa_.correctBoundaryConditions();
+    G_.correctBoundaryConditions();
+    K_.correctBoundaryConditions();
+}

@@ -1,0 +1,104 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "csvGrains.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "csvTable.H"
+#include "dictionaryInput.H"
+#include "grainMaterials.H"
+#include "planarMesh.H"
+
+namespace Foam
+{
+namespace grainSources
+{
+    defineTypeNameAndDebug(csv, 0);
+    addToRunTimeSelectionTable(grainSource, csv, dictionary);
+}
+}
+
+
+Foam::grainSources::csv::csv(const dictionary& dict, const context& ctx)
+:
+    grainSource(ctx),
+    dict_(dict),
+    file_(dict.get<fileName>("file")),
+    material_(ctx.materials.index(dict, "material"))
+{
+    dictionaryInput::checkKeywords(dict, {"type", "file", "material"});
+
+    if (!file_.isAbsolute())
+    {
+        file_ = ctx.plane.mesh().time().globalPath()/file_;
+    }
+}
+
+
+nscd::Grains<2> Foam::grainSources::csv::read() const
+{
+    const csvTable table
+    (
+        dict_,
+        file_,
+        {"x", "y", "z", "radius"},
+        {"vx", "vy", "vz", "wx", "wy", "wz", "material", "temperature"}
+    );
+    const planarMesh& plane = context_.plane;
+    const grainMaterials& materials = context_.materials;
+
+    const auto vectorOf = [&](const char* x, const char* y, const char* z, label i)
+    {
+        return vector
+        (
+            table.number(x, i), table.number(y, i), table.number(z, i)
+        );
+    };
+
+    nscd::Vectors<2> centres;
+    std::vector<double> radii;
+    for (label i = 0; i < table.size(); ++i)
+    {
+        centres.push_back(plane.toPlane(vectorOf("x", "y", "z", i)));
+        radii.push_back(table.number("radius", i));
+        if (radii.back() <= 0)
+        {
+            table.badValue("radius", i, "a value > 0");
+        }
+    }
+
+    nscd::Grains<2> result(grains(centres, radii, material_));
+    for (label i = 0; i < table.size(); ++i)
+    {
+        const vector v(vectorOf("vx", "vy", "vz", i));
+        const vector w(vectorOf("wx", "wy", "wz", i));
+        if (plane.outOfPlane(v) != 0)
+        {
+            table.badValue("vx,vy,vz", i, "no velocity across the mesh");
+        }
+        if (plane.spinLeavesPlane(w))
+        {
+            table.badValue("wx,wy,wz", i, "spin about the normal of the mesh");
+        }
+        result.velocity[i] = plane.toPlane(v);
+        result.spin[i][0] = plane.toSpin(w);
+        result.temperature[i] = table.number("temperature", i);
+
+        if (table.found("material"))
+        {
+            const label m = materials.names().find(table.text("material", i));
+            if (m < 0)
+            {
+                table.badValue
+                (
+                    "material", i, dictionaryInput::listed(materials.names())
+                );
+            }
+            result.mass[i] *= materials.density(m)/materials.density(material_);
+            result.material[i] = m;
+        }
+    }
+    return result;
+}

@@ -1,0 +1,189 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainChecks.H"
+
+#include "OStringStream.H"
+#include "Pstream.H"
+
+#include <numeric>
+
+namespace
+{
+
+typedef Eigen::Vector2d Point;
+
+double distance(const nscd::Segment& s, const Point& x)
+{
+    const Point along(s.b - s.a);
+    const double t =
+        std::min(1.0, std::max(0.0, along.dot(x - s.a)/along.squaredNorm()));
+    return (s.a + t*along - x).norm();
+}
+
+}
+
+
+Foam::grainChecks::grainChecks
+(
+    const grainProperties& properties,
+    const nscd::Grains<2>& grains
+)
+:
+    properties_(properties),
+    grains_(grains)
+{}
+
+
+void Foam::grainChecks::refuse(const string& what, const string& allowed) const
+{
+    FatalIOErrorInFunction(properties_.dict())
+        << "Keyword 'initialGrains': " << what.c_str() << nl
+        << "    allowed: " << allowed.c_str() << exit(FatalIOError);
+    std::abort();
+}
+
+
+Foam::string Foam::grainChecks::describe(const label i) const
+{
+    OStringStream os;
+    os  << "grain " << label(grains_.id[i]) << " at "
+        << properties_.plane().positionInSpace(grains_.position[i])
+        << " with radius " << grains_.radius[i];
+    return os.str();
+}
+
+
+Foam::labelList Foam::grainChecks::outside() const
+{
+    labelList inside(label(grains_.size()));
+    forAll(inside, i)
+    {
+        inside[i] = properties_.plane().findCell(grains_.position[i]) >= 0;
+    }
+    Pstream::listCombineGather(inside, maxEqOp<label>());
+    Pstream::listCombineScatter(inside);
+
+    DynamicList<label> result;
+    forAll(inside, i)
+    {
+        if (!inside[i])
+        {
+            result.append(i);
+        }
+    }
+    return labelList(std::move(result));
+}
+
+
+std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
+(
+    const scalar fraction
+) const
+{
+    std::vector<overlap> result;
+    const std::vector<double>& r = grains_.radius;
+    if (r.empty())
+    {
+        return result;
+    }
+
+    // Along the first axis, only neighbours within the largest diameter
+    std::vector<label> order(r.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort
+    (
+        order.begin(), order.end(),
+        [&](const label i, const label j)
+        {
+            return grains_.position[i].x() < grains_.position[j].x();
+        }
+    );
+    const scalar reach = 2**std::max_element(r.begin(), r.end());
+
+    for (auto a = order.begin(); a != order.end(); ++a)
+    {
+        for (auto b = a + 1; b != order.end(); ++b)
+        {
+            const Point apart(grains_.position[*b] - grains_.position[*a]);
+            if (apart.x() > reach)
+            {
+                break;
+            }
+            const scalar depth = r[*a] + r[*b] - apart.norm();
+            if (depth > 2*fraction*std::min(r[*a], r[*b]))
+            {
+                result.push_back({*a, *b, depth});
+            }
+        }
+        for (const nscd::Segment& wall : properties_.walls())
+        {
+            const scalar depth = r[*a] - distance(wall, grains_.position[*a]);
+            if (depth > 2*fraction*r[*a])
+            {
+                result.push_back({*a, -1, depth});
+            }
+        }
+    }
+    return result;
+}
+
+
+void Foam::grainChecks::requireLaws() const
+{
+    std::set<label> ofGrains(grains_.material.begin(), grains_.material.end());
+    std::set<label> others(ofGrains);
+    for (const nscd::Segment& wall : properties_.walls())
+    {
+        others.insert(wall.material);
+    }
+    for (const label a : ofGrains)
+    {
+        for (const label b : others)
+        {
+            properties_.materials().checkPair(a, b);
+        }
+    }
+}
+
+
+void Foam::grainChecks::requireInside() const
+{
+    const labelList lost(outside());
+    if (lost.size())
+    {
+        OStringStream allowed;
+        allowed << "centres inside the mesh, whose bounding box is "
+            << properties_.plane().mesh().bounds();
+        refuse
+        (
+            describe(lost[0]) + " is outside the mesh, and so are "
+          + Foam::name(lost.size() - 1) + " more",
+            allowed.str()
+        );
+    }
+}
+
+
+void Foam::grainChecks::requireNoOverlap() const
+{
+    const scalar fraction = properties_.allowedOverlap();
+    const std::vector<overlap> found(overlaps(fraction));
+    if (found.size())
+    {
+        const overlap& o = found.front();
+        OStringStream what;
+        what<< describe(o.first).c_str() << " overlaps "
+            << (o.second < 0 ? string("a wall") : describe(o.second)).c_str()
+            << " by " << o.depth << " m, and so do "
+            << label(found.size() - 1) << " more pairs";
+        refuse
+        (
+            what.str(),
+            "up to 'allowedOverlap' = " + Foam::name(fraction)
+          + " of the smaller diameter"
+        );
+    }
+}

@@ -1,0 +1,100 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainMaterials.H"
+
+#include "contactLaw.H"
+#include "dictionaryInput.H"
+#include "Pair.H"
+
+Foam::grainMaterials::grainMaterials(const dictionary& dict)
+:
+    dict_(dict)
+{
+    const dictionary& materials = dictionaryInput::subDict(dict, "materials");
+
+    names_ = materials.toc();
+    if (names_.empty())
+    {
+        FatalIOErrorInFunction(materials)
+            << "Keyword 'materials' holds no material" << nl
+            << "    allowed: one sub-dictionary per material"
+            << exit(FatalIOError);
+    }
+
+    density_.resize(names_.size());
+    forAll(names_, i)
+    {
+        const dictionary& material =
+            dictionaryInput::subDict(materials, names_[i]);
+
+        dictionaryInput::checkKeywords(material, {"density"});
+        density_[i] =
+            dictionaryInput::getPositive(material, "density", dimDensity);
+    }
+    readContactLaws();
+}
+
+
+void Foam::grainMaterials::readContactLaws()
+{
+    table_ = nscd::ContactTable(names_.size());
+
+    const dictionary& laws = dictionaryInput::subDict(dict_, "contactLaws");
+
+    for (const word& name : laws.toc())
+    {
+        const dictionary& law = dictionaryInput::subDict(laws, name);
+        const Pair<word> pair(law.get<Pair<word>>("materials"));
+
+        Pair<label> ij;
+        forAll(pair, k)
+        {
+            ij[k] = names_.find(pair[k]);
+            if (ij[k] < 0)
+            {
+                dictionaryInput::badValue
+                (
+                    law, "materials", pair[k],
+                    "a pair of " + dictionaryInput::listed(names_)
+                );
+            }
+        }
+
+        table_.set(ij[0], ij[1], contactLaw::New(law)->parameters());
+        withLaw_.insert(std::minmax(ij[0], ij[1]));
+    }
+}
+
+
+Foam::label Foam::grainMaterials::index
+(
+    const dictionary& dict,
+    const word& keyword
+) const
+{
+    const word name(dict.get<word>(keyword));
+    const label i = names_.find(name);
+
+    if (i < 0)
+    {
+        dictionaryInput::badValue(dict, keyword, name, dictionaryInput::listed(names_));
+    }
+    return i;
+}
+
+
+void Foam::grainMaterials::checkPair(const label a, const label b) const
+{
+    if (!withLaw_.count(std::minmax(a, b)))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Keyword 'contactLaws' has no law for the materials "
+            << names_[a] << " and " << names_[b] << nl
+            << "    allowed: a sub-dictionary with 'materials ("
+            << names_[a] << ' ' << names_[b] << ");'"
+            << exit(FatalIOError);
+    }
+}

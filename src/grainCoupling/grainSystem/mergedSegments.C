@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainWalls.H"
+
+#include <algorithm>
+#include <map>
+
+namespace
+{
+
+using nscd::Segment;
+typedef nscd::Vector<2> Point;
+
+struct Less
+{
+    bool operator()(const Point& p, const Point& q) const
+    {
+        return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+    }
+};
+
+typedef std::map<Point, std::vector<std::size_t>, Less> Joints;
+
+const Point& farEnd(const Segment& s, const Point& joint)
+{
+    return s.a == joint ? s.b : s.a;
+}
+
+// Two segments of one material, one the straight continuation of the other
+bool isStraight(const Segment& s, const Segment& t, const Point& joint)
+{
+    const Point u(joint - farEnd(s, joint));
+    const Point v(farEnd(t, joint) - joint);
+    const double cross = u.x()*v.y() - u.y()*v.x();
+
+    // Vertices of a mesh are written with a finite number of digits
+    return
+        s.material == t.material
+     && u.dot(v) > 0
+     && std::abs(cross) < 1e-9*u.norm()*v.norm();
+}
+
+// The end of the straight line that begins with segment s at 'from'
+Point lineEnd
+(
+    const nscd::Walls<2>& segments,
+    const Joints& joints,
+    std::size_t s,
+    const Point& from,
+    std::vector<bool>& used
+)
+{
+    Point end = farEnd(segments[s], from);
+    while (true)
+    {
+        used[s] = true;
+        const std::vector<std::size_t>& here = joints.at(end);
+        if (here.size() != 2)
+        {
+            return end;
+        }
+        const std::size_t next = here[here[0] == s];
+        if (used[next] || !isStraight(segments[s], segments[next], end))
+        {
+            return end;
+        }
+        end = farEnd(segments[next], end);
+        s = next;
+    }
+}
+
+}
+
+
+nscd::Walls<2> Foam::mergedSegments(const nscd::Walls<2>& segments)
+{
+    nscd::Walls<2> sorted(segments);
+    for (Segment& s : sorted)
+    {
+        if (Less()(s.b, s.a))
+        {
+            std::swap(s.a, s.b);
+        }
+    }
+    std::sort
+    (
+        sorted.begin(), sorted.end(),
+        [](const Segment& s, const Segment& t)
+        {
+            return Less()(s.a, t.a) || (s.a == t.a && Less()(s.b, t.b));
+        }
+    );
+
+    Joints joints;
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+    {
+        joints[sorted[i].a].push_back(i);
+        joints[sorted[i].b].push_back(i);
+    }
+
+    nscd::Walls<2> merged;
+    std::vector<bool> used(sorted.size(), false);
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+    {
+        if (!used[i])
+        {
+            const Segment& s = sorted[i];
+            const Point forth = lineEnd(sorted, joints, i, s.a, used);
+            const Point back = lineEnd(sorted, joints, i, s.b, used);
+            merged.push_back({back, forth, s.material});
+        }
+    }
+    return merged;
+}

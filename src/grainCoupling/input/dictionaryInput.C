@@ -1,0 +1,192 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dictionaryInput.H"
+
+#include "OStringStream.H"
+
+namespace
+{
+
+using namespace Foam;
+
+scalar readChecked
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims
+)
+{
+    const scalar value = dimensionedScalar(keyword, dims, dict).value();
+
+    if (!std::isfinite(value))
+    {
+        dictionaryInput::badValue
+        (
+            dict, keyword, std::to_string(value), "a finite number"
+        );
+    }
+    return value;
+}
+
+string interval(const scalar low, const scalar high)
+{
+    OStringStream os;
+    if (high >= GREAT)
+    {
+        os  << "a value >= " << low;
+    }
+    else
+    {
+        os  << "a value from " << low << " to " << high;
+    }
+    return os.str();
+}
+
+}
+
+
+void Foam::dictionaryInput::badValue
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& value,
+    const string& allowed
+)
+{
+    FatalIOErrorInFunction(dict)
+        << "Keyword '" << keyword.c_str() << "' has the value "
+        << value.c_str() << nl
+        << "    allowed: " << allowed.c_str()
+        << exit(FatalIOError);
+}
+
+
+void Foam::dictionaryInput::checkKeywords
+(
+    const dictionary& dict,
+    const wordList& allowed
+)
+{
+    forAllConstIters(dict, iter)
+    {
+        if (!allowed.found(iter().keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword '" << iter().keyword() << "'" << nl
+                << "    allowed: " << flatOutput(allowed)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+const Foam::dictionary& Foam::dictionaryInput::subDict
+(
+    const dictionary& dict,
+    const word& keyword
+)
+{
+    if (!dict.isDict(keyword))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword
+            << "' is missing; a sub-dictionary of this name is required"
+            << exit(FatalIOError);
+    }
+    return dict.subDict(keyword);
+}
+
+
+Foam::scalar Foam::dictionaryInput::getScalar
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims,
+    const scalar low,
+    const scalar high
+)
+{
+    const scalar value = readChecked(dict, keyword, dims);
+
+    if (value < low || value > high)
+    {
+        badValue(dict, keyword, name(value), interval(low, high));
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dictionaryInput::getScalarOrDefault
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims,
+    const scalar deflt,
+    const scalar low,
+    const scalar high
+)
+{
+    return
+        dict.found(keyword)
+      ? getScalar(dict, keyword, dims, low, high)
+      : deflt;
+}
+
+
+Foam::scalar Foam::dictionaryInput::getPositive
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims
+)
+{
+    const scalar value = readChecked(dict, keyword, dims);
+
+    if (value <= 0)
+    {
+        badValue(dict, keyword, name(value), "a value > 0");
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::dictionaryInput::getPositiveOrDefault
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims,
+    const scalar deflt
+)
+{
+    return dict.found(keyword) ? getPositive(dict, keyword, dims) : deflt;
+}
+
+
+Foam::label Foam::dictionaryInput::getLabelOrDefault
+(
+    const dictionary& dict,
+    const word& keyword,
+    const label deflt,
+    const label low,
+    const label high
+)
+{
+    const label value = dict.getOrDefault<label>(keyword, deflt);
+
+    if (value < low || value > high)
+    {
+        badValue(dict, keyword, name(value), interval(low, high));
+    }
+    return value;
+}
+
+
+Foam::string Foam::dictionaryInput::listed(const wordList& names)
+{
+    OStringStream os;
+    os  << flatOutput(names);
+    return os.str();
+}

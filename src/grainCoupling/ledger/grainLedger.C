@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainLedger.H"
+
+#include "fvc.H"
+#include "PstreamReduceOps.H"
+
+Foam::grainLedger::grainLedger
+(
+    const grainSystem& grains,
+    const grainFluidExchange& exchange
+)
+:
+    grains_(grains),
+    exchange_(exchange),
+    mesh_(grains.mesh()),
+    startTime_(mesh_.time().value()),
+    meanCourant_(0),
+    maxCourant_(0),
+    momentumError_(0),
+    divergence_(0),
+    volumeDefect_(0)
+{
+    setVolumes();
+
+    Info<< "Grains: " << grains_.size() << ", volume " << grainVolume_
+        << " m^3, of it in the mesh " << mappedVolume_ << " m^3" << endl;
+}
+
+
+void Foam::grainLedger::setVolumes()
+{
+    const Eigen::AlignedBox2d box(grains_.plane().globalDomain());
+
+    grainVolume_ = 0;
+    mappedVolume_ = 0;
+    mappingError_ = 0;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        const scalar V = grains_.volume(i);
+        const scalar mapped = grains_.mappedVolume()[i];
+        grainVolume_ += V;
+        mappedVolume_ += mapped;
+
+        const scalar r = grains_.fluidDiameter(i)/2;
+        const Eigen::Vector2d x(grains_.plane().toPlane(grains_.centres()[i]));
+        const Eigen::Vector2d reach(r, r);
+        if (box.contains(x - reach) && box.contains(x + reach))
+        {
+            mappingError_ = max(mappingError_, mag(V - mapped)/V);
+        }
+    }
+}
+
+
+void Foam::grainLedger::startStep(const surfaceScalarField& phiU)
+{
+    const Time& runTime = mesh_.time();
+    const scalarField sumPhi(fvc::surfaceSum(mag(phiU))().primitiveField());
+
+    maxCourant_ =
+        0.5*gMax(sumPhi/mesh_.V().field())*runTime.deltaTValue();
+    meanCourant_ =
+        0.5*gSum(sumPhi)/gSum(mesh_.V().field())*runTime.deltaTValue();
+
+    Info<< nl << "Time = " << runTime.timeName() << nl << endl;
+
+    oldEps_ = exchange_.eps().primitiveField();
+    oldEpsf_.reset(new surfaceScalarField(fvc::interpolate(exchange_.eps())));
+}
+
+
+void Foam::grainLedger::endStep
+(
+    const surfaceScalarField& phi,
+    const surfaceScalarField& phiU
+)
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    setVolumes();
+
+    divergence_ = deltaT*gMax(mag(fvc::div(phi)().primitiveField())());
+
+    const scalarField inflow
+    (
+       -deltaT*fvc::div(oldEpsf_()*phiU)().primitiveField()
+    );
+    volumeDefect_ = gSum
+    (
+        mag
+        (
+            (exchange_.eps().primitiveField() - oldEps_ - inflow)
+           *mesh_.V().field()
+        )()
+    )/max(grainVolume_, VSMALL);
+
+    const vector given = exchange_.momentumGiven();
+    const vector received = exchange_.momentumReceived();
+    momentumError_ = mag(given - received)/max(mag(received), VSMALL);
+
+    print();
+    write();
+}
+
+
+void Foam::grainLedger::checkFinite
+(
+    const volVectorField& U,
+    const volScalarField& p
+) const
+{
+    label bad = -1;
+    forAll(U, celli)
+    {
+        if (!std::isfinite(mag(U[celli])) || !std::isfinite(p[celli]))
+        {
+            bad = celli;
+            break;
+        }
+    }
+
+    if (returnReduce(bad, maxOp<label>()) >= 0)
+    {
+        // Without the grains' state: no run continues from this time
+        const_cast<Time&>(mesh_.time()).writeNow();
+
+        if (bad >= 0)
+        {
+            FatalErrorInFunction
+                << "The fluid's solution is not finite at time "
+                << mesh_.time().timeName() << ", first in cell " << bad
+                << " at " << mesh_.C()[bad] << ": U = " << U[bad]
+                << ", p_rgh = " << p[bad] << nl
+                << "    the Courant number was " << maxCourant_
+                << "; the fields are written for a look, a run continues from"
+                << " the last complete time" << exit(FatalError);
+        }
+    }
+}

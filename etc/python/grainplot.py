@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Read and draw two-dimensional cases: cells, fields and grains.
+
+    import grainplot
+
+    figure = grainplot.columns("caseDirectory", ["0", "0.5", "1"], field="U")
+    figure.savefig("velocity.png")
+
+A case is two-dimensional if its mesh is one cell thick between patches of type empty.  Lengths
+are in m; times are the names of the time directories.
+"""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import foamlib
+import h5py
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.collections import EllipseCollection, PolyCollection  # noqa: E402
+
+
+@dataclass
+class PlanarMesh:
+    """Cells as polygons: `polygons[c]` is (n, 2); `axes` are the two in-plane axes, 0 = x."""
+
+    polygons: list
+    axes: tuple
+
+    @property
+    def bounds(self):
+        """Lower left and upper right corner, (2, 2)."""
+        vertices = np.concatenate(self.polygons)
+        return np.array([vertices.min(axis=0), vertices.max(axis=0)])
+
+    @property
+    def areas(self):
+        """Areas of the cells [m^2], (n_cells,)."""
+        return np.array([abs(_signed_area(polygon)) for polygon in self.polygons])
+
+
+def _signed_area(polygon):
+    x, y = polygon.T
+    return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
+
+
+def _standalone(path):
+    """The list that a file of constant/polyMesh holds, compressed or not."""
+    return foamlib.FoamFile(path if path.exists() else path.with_name(path.name + ".gz"))[()]
+
+
+def times(case):
+    """Names of the time directories in ascending order."""
+    number = re.compile(r"[0-9.]+(e[-+]?[0-9]+)?")
+    folders = (path.name for path in Path(case).iterdir() if path.is_dir())
+    return sorted(filter(number.fullmatch, folders), key=float)
+
+
+def read_mesh(case):
+    """PlanarMesh of constant/polyMesh; ValueError if no patch is of type empty."""
+    folder = Path(case) / "constant" / "polyMesh"
+    points = np.asarray(_standalone(folder / "points"))
+    faces = _standalone(folder / "faces")
+    if isinstance(faces, tuple):  # binary: where each face begins, and the vertices of all
+        start, vertices = faces
+        faces = np.split(vertices, start[1:-1])
+    owner = np.asarray(_standalone(folder / "owner"))
+
+    empty_faces = []
+    for _, patch in _standalone(folder / "boundary"):
+        if patch["type"] == "empty":
+            empty_faces += range(patch["startFace"], patch["startFace"] + patch["nFaces"])
+    if not empty_faces:
+        raise ValueError(f"{folder}: no patch of type empty, the mesh is not two-dimensional")
+
+    normals = [_normal(points[faces[face]]) for face in empty_faces]
+    across = int(np.argmax(np.abs(normals[0])))
+    axes = tuple(axis for axis in range(3) if axis != across)
+    polygons = [None] * (owner.max() + 1)
+    for face, normal in zip(empty_faces, normals, strict=True):
+        if normal[across] > 0:
+            polygons[owner[face]] = points[faces[face]][:, axes]
+    return PlanarMesh(polygons, axes)
+
+
+def _normal(vertices):
+    first = vertices[0]
+    return np.sum(np.cross(vertices[1:-1] - first, vertices[2:] - first), axis=0)
+
+
+def read_field(case, time, name, n_cells=None):
+    """Internal values of a volume field, (n_cells,) or (n_cells, 3); n_cells expands a uniform."""
+    path = Path(case) / str(time) / name
+    if not path.exists():
+        path = path.with_name(name + ".gz")
+    file = foamlib.FoamFieldFile(path)
+    values = np.asarray(file.internal_field, dtype=float)
+    components = 1 if "Vector" in file.class_ else 0
+    if values.ndim == components and n_cells is not None:
+        values = np.broadcast_to(values, (n_cells, *values.shape))
+    return values
+
+
+def read_grains(case, time):
+    """Data sets of <time>/grains.h5 by name: id, radius (n,), position, velocity (n, 2)."""
+    with h5py.File(Path(case) / str(time) / "grains.h5") as file:
+        return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
+
+
+def magnitude(values):
+    """Values (n,), lengths of vectors (n, d)."""
+    return values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+
+
+def draw_cells(ax, mesh, values=None, lines=True, **style):
+    """Cells in colours of `values`, one per cell, with thin grey lines; returns the collection."""
+    style = {"cmap": "Blues", "edgecolors": "0.8" if lines else "face", "linewidths": 0.2} | style
+    cells = PolyCollection(mesh.polygons, **style)
+    if values is None:
+        cells.set_facecolor("none")
+    else:
+        cells.set_array(np.asarray(values))
+    ax.add_collection(cells)
+    ax.set_xlim(mesh.bounds[:, 0])
+    ax.set_ylim(mesh.bounds[:, 1])
+    ax.set_aspect("equal")
+    return cells
+
+
+def draw_grains(ax, grains, values=None, **style):
+    """Grains as discs in colours of `values`, one per grain; returns the collection."""
+    diameter = 2 * grains["radius"]
+    style = {"cmap": "viridis", "edgecolors": "black", "linewidths": 0.2} | style
+    discs = EllipseCollection(
+        diameter,
+        diameter,
+        np.zeros_like(diameter),
+        units="xy",
+        offsets=grains["position"],
+        offset_transform=ax.transData,
+        **style,
+    )
+    if values is None:
+        discs.set_facecolor(style.get("facecolors", "0.5"))
+    else:
+        discs.set_array(np.asarray(values))
+    ax.add_collection(discs)
+    ax.set_aspect("equal")
+    return discs
+
+
+def _limits(lists):
+    values = [np.asarray(v) for v in lists if v is not None and len(v)]
+    if not values:
+        return 0.0, 1.0
+    low, high = min(v.min() for v in values), max(v.max() for v in values)
+    return (low, high) if high > low else (low, low + 1.0)
+
+
+def columns(case, at, field=None, grain_value="velocity", lines=True, height=4.0):
+    """Figure with a column for each time in `at`: cells coloured by `field`, grains by a value.
+
+    Vectors are shown by their magnitude; None leaves the colours out.  All columns share the colour
+    scales; `height` of the axes, in inches, is less if a column would be wider than 6 inches.
+    """
+    mesh = read_mesh(case)
+    n = len(mesh.polygons)
+    cells = [magnitude(read_field(case, t, field, n)) if field else None for t in at]
+    has_grains = [(Path(case) / str(t) / "grains.h5").exists() for t in at]
+    clouds = [read_grains(case, t) if h else None for t, h in zip(at, has_grains, strict=True)]
+    speeds = [magnitude(c[grain_value]) if c is not None and grain_value else None for c in clouds]
+
+    width, tall = mesh.bounds[1] - mesh.bounds[0]
+    column = min(max(height * width / tall, 1.2), 6.0)
+    size = (column * len(at) + 1.6, column * tall / width + 0.8)
+    figure, row = plt.subplots(
+        1, len(at), squeeze=False, sharey=True, layout="constrained", figsize=size
+    )
+    discs = None
+    for ax, time, values, cloud, speed in zip(row[0], at, cells, clouds, speeds, strict=True):
+        shown = draw_cells(ax, mesh, values, lines, clim=_limits(cells))
+        if cloud is not None:
+            discs = draw_grains(ax, cloud, speed, clim=_limits(speeds))
+        ax.set_title(f"t = {time} s")
+        ax.set_xlabel(f"{'xyz'[mesh.axes[0]]} [m]")
+    row[0][0].set_ylabel(f"{'xyz'[mesh.axes[1]]} [m]")
+    if field:
+        figure.colorbar(shown, ax=list(row[0]), label=field, shrink=0.8)
+    if discs is not None and grain_value:
+        figure.colorbar(discs, ax=list(row[0]), label=f"grain {grain_value}", shrink=0.8)
+    return figure

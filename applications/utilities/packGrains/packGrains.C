@@ -1,0 +1,101 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    packGrains
+
+Group
+    grpGrainPreProcessing
+
+Description
+    Make an initial packing of grains and write it as comma-separated values,
+    which 'initialGrains { type csv; ... }' of constant/grainProperties reads.
+
+    What is packed stands in system/packGrainsDict; materials, walls and
+    contacts are those of constant/grainProperties.
+
+Usage
+    \verbatim
+    packGrains [OPTION]
+
+      -dict <file>   another dictionary than system/packGrainsDict
+    \endverbatim
+
+    See etc/caseDicts/packGrainsDict for an example of every packing.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+#include "grainChecks.H"
+#include "packingReport.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Make an initial packing of grains.");
+    argList::noParallel();
+    argList::addOption("dict", "file", "Alternative packGrainsDict");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            args.found("dict")
+          ? fileName(args["dict"])
+          : fileName(runTime.system()/"packGrainsDict"),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    );
+
+    const grainProperties properties
+    (
+        mesh, meshObjects::gravity::New(runTime).value()
+    );
+    const nscd::Grains<2> grains(properties.grains(dict));
+    const planarMesh& plane = properties.plane();
+
+    const grainChecks checks(properties, grains);
+    checks.requireInside();
+    checks.requireNoOverlap();
+
+    fileName file
+    (
+        dict.getOrDefault<fileName>("output", "constant/grains.csv")
+    );
+    if (!file.isAbsolute())
+    {
+        file = runTime.path()/file;
+    }
+    mkDir(file.path());
+
+    OFstream os(file);
+    os.precision(17);
+    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature" << nl;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const point x(plane.positionInSpace(grains.position[i]));
+        const vector v(plane.toSpace(grains.velocity[i]));
+        const vector w(plane.spinInSpace(grains.spin[i][0]));
+
+        os  << x.x() << ',' << x.y() << ',' << x.z() << ','
+            << grains.radius[i] << ','
+            << v.x() << ',' << v.y() << ',' << v.z() << ','
+            << w.x() << ',' << w.y() << ',' << w.z() << ','
+            << properties.materials().names()[grains.material[i]] << ','
+            << grains.temperature[i] << nl;
+    }
+
+    printPacking(properties, grains);
+    Info<< nl << "Wrote " << file << nl << nl << "End" << nl << endl;
+
+    return 0;
+}

@@ -27,7 +27,7 @@ public:
     void add(double cosine, double sine)
     {
         const double re = re_ * cosine - im_ * sine;
-        const double im = re_ * sine + im_ * cosine + 0.0;  // never -0: that would be the argument -pi
+        const double im = re_ * sine + im_ * cosine;
         if (im_ >= 0 && sine > 0 && im < 0) ++turns_;
         if (im_ < 0 && sine < 0 && im >= 0) --turns_;
         re_ = re;
@@ -76,20 +76,12 @@ public:
             return;
         }
 
-        // The line comes nearest to the centre in foot, enters the disc at foot - before d, leaves it at foot + after d
+        // The line comes nearest to the centre in foot; its part in the disc is foot - before d to foot + after d
         const Point2 foot = Point2(d.y(), -d.x()) * (c / d2);
         const double reach = std::sqrt(std::max(reach2, 0.0)) / d2, toP = -pd / d2, toQ = qd / d2;
-        double before = toP, after = toQ;
-        if (bp < 0)
-        {
-            before = std::max(std::min(reach, toP), -toQ);
-            arcs_.add(p.dot(foot - before * d), c * (toP - before));
-        }
-        if (bq < 0)
-        {
-            after = std::max(std::min(reach, toQ), -toP);
-            arcs_.add(q.dot(foot + after * d), c * (toQ - after));
-        }
+        const double before = bp < 0 ? reach : toP, after = bq < 0 ? reach : toQ;
+        if (bp < 0) arcs_.add(p.dot(foot - before * d), c * (toP - before));
+        if (bq < 0) arcs_.add(q.dot(foot + after * d), c * (toQ - after));
         const double length = before + after;
         addChord(length * d, length * c, std::max(bp, 0.0), std::max(bq, 0.0));
     }

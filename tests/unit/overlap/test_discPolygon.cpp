@@ -70,6 +70,26 @@ TEST(DiscPolygon, DiscWithinTheCellIsTheDiscExactly)
     }
 }
 
+TEST(DiscPolygon, PolygonsAroundTheDiscGiveTheDiscExactly)
+{
+    for (int n : {3, 4, 5, 7, 60})
+    {
+        for (double reach : {1.0, 1.01, 3.0, 1e3, 1e8})
+        {
+            for (double turn : {0.0, 0.1, 1.0})
+            {
+                Polygon cell;
+                const double apothem = 1.0001 * reach;
+                for (int k = 0; k < n; ++k)
+                    cell.push_back(rotated({apothem / std::cos(pi / n), 0}, turn + 2 * pi * k / n));
+                const AreaMoment a = unitDisc(cell);
+                EXPECT_EQ(a.area, pi) << n << ' ' << reach << ' ' << turn;
+                EXPECT_EQ(a.centroid, Point2(0, 0));
+            }
+        }
+    }
+}
+
 TEST(DiscPolygon, DiscInTheBayOfACellDoesNotOverlap)
 {
     const Polygon horseshoe = {{-3, -3}, {3, -3}, {3, 3}, {2, 3}, {2, -2}, {-2, -2}, {-2, 3}, {-3, 3}};

@@ -175,21 +175,28 @@ TEST(RandomPairs, AgreeWithSignedTrianglesInExtendedPrecision)
     EXPECT_GT(cut, 20000);
 }
 
-TEST(RandomPairs, AgreeWithSignedTrianglesOnALattice)
+TEST(RandomPairs, AgreeWithSignedTrianglesOnAndNearALattice)
 {
-    // Vertices, centres and radii in multiples of 1/4: touching, passing through vertices, coinciding
+    // Vertices, centres and radii in multiples of 1/4, moved by 0 to 1e-6 of the radius: circle and cell touch,
+    // pass through vertices, coincide
     std::mt19937 random(12);
-    std::uniform_int_distribution<int> place(-8, 8), size(1, 6);
+    std::uniform_int_distribution<int> place(-8, 8), size(1, 6), exponent(6, 17);
+    std::uniform_real_distribution<double> unit(-1, 1);
     double worst = 0;
 
-    for (int pair = 0; pair < 100000; ++pair)
+    for (int pair = 0; pair < 200000; ++pair)
     {
         const double x = 0.25 * place(random), y = 0.25 * place(random), r = 0.25 * size(random);
         const double w = 0.25 * size(random), h = 0.25 * size(random);
-        const Polygon cell = pair % 2 ? rectangle(x, y, x + w, y + h) : Polygon{{x, y}, {x + w, y}, {x, y + h}};
+        Polygon cell = pair % 2 ? rectangle(x, y, x + w, y + h) : Polygon{{x, y}, {x + w, y}, {x, y + h}};
+        if (pair % 4 > 1)
+        {
+            const double move = std::pow(10.0, -exponent(random));
+            for (Point2& p : cell) p += move * Point2(unit(random), unit(random));
+        }
         const Reference exact = bySignedTriangles({0, 0}, r, cell);
-        worst =
-            std::max(worst, static_cast<double>(std::abs(discPolygon({0, 0}, r, cell).area / (r * r) - exact.area)));
+        const double area = discPolygon({0, 0}, r, cell).area;
+        worst = std::max(worst, static_cast<double>(std::abs(area / (r * r) - exact.area)));
     }
     EXPECT_LT(worst, 3e-15);
 }

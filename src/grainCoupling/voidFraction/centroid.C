@@ -31,7 +31,7 @@ Foam::voidFractionMethods::centroid::centroid
     (
         dictionaryInput::getScalarOrDefault
         (
-            dict, "pressureDiffusion", dimless, 1, 0
+            dict, "pressureDiffusion", dimless, 0, 0
         )
     )
 {

@@ -60,7 +60,7 @@ template <int D>
 struct Contact
 {
     Vector<D> normal;
-    double approachLimit;      ///< gap/dt [m/s]
+    double approachLimit;      ///< max(gap, 0)/dt [m/s]
     double inverseW;           ///< 1/W_NN [kg]
     double friction;
     double normalImpulse;      ///< r_n [N s]
@@ -153,6 +153,34 @@ inline double solve(Contact<D>& c, Body<D>* bodies)
     const double w = a.inverseMass + b.inverseMass;
     constexpr double f = tangentFactor<D> * tangentFactor<D>;
     return w * w * std::max(normalChange * normalChange, f * squaredNorm(tangentialChange));
+}
+
+/// An overlap to be removed by moving the two bodies apart along the normal, without a change of velocity.
+template <int D>
+struct Overlap
+{
+    Vector<D> normal;
+    double gapVelocity;   ///< gap at the end of the step over dt [m/s]
+    double inverseW;      ///< [kg]
+    double push;          ///< >= 0 [N s]
+    int i, j;
+};
+
+/// The frictionless problem push >= 0, w_n + gapVelocity >= 0, complementary, for displacement velocities w that
+/// stand in the bodies' velocity.  Returns the square of W times the change of push [m^2/s^2].
+template <int D>
+inline double separate(Overlap<D>& o, Body<D>* bodies)
+{
+    Body<D>& a = bodies[o.i];
+    Body<D>& b = bodies[o.j];
+    const double normalVelocity = (b.velocity - a.velocity).dot(o.normal) + o.gapVelocity;
+    const double push = std::max(0.0, o.push - normalVelocity * o.inverseW);
+    const double change = push - o.push;
+    o.push = push;
+    a.velocity -= (change * a.inverseMass) * o.normal;
+    b.velocity += (change * b.inverseMass) * o.normal;
+    const double w = a.inverseMass + b.inverseMass;
+    return w * w * change * change;
 }
 
 /// Square of the natural-map residual in velocity units [m^2/s^2]: how far the impulse is from the solution of

@@ -13,6 +13,10 @@ namespace
 /// velocities change during the sweeps, and what is missed costs another choice.
 constexpr double margin = 0.02;
 
+/// An overlap deeper than this fraction of the smaller radius is removed in several steps, so that the grains
+/// nearby are noticed in time.
+constexpr double largestPush = 0.1;
+
 template <int D>
 Tangent<D> inTangentPlane(const Tangent<D>& impulse, const Vector<D>& normal)
 {
@@ -34,6 +38,7 @@ void ContactProblem<D>::choose(const std::vector<Body<D>>& bodies, const std::ve
     const int wall = static_cast<int>(bodies.size()) - 1;
     contacts_.clear();
     source_.clear();
+    gap_.clear();
     begin_.clear();
     for (const Group& group : candidates_.groups())
     {
@@ -52,10 +57,11 @@ void ContactProblem<D>::choose(const std::vector<Body<D>>& bodies, const std::ve
             {
                 continue;
             }
-            contacts_.push_back({approach->normal, approach->gap / dt_,
+            contacts_.push_back({approach->normal, std::max(0.0, approach->gap) / dt_,
                                  1 / (bodies[pair.first].inverseMass + bodies[j].inverseMass),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
                                  inTangentPlane<D>(impulses[p].tangential, approach->normal), pair.first, j});
+            gap_.push_back(std::max(approach->gap, -largestPush * arrangement_.radius(pair)));
             source_.push_back(p);
             kept_[p] = 1;
         }
@@ -113,7 +119,7 @@ double ContactProblem<D>::residual(const std::vector<Body<D>>& bodies)
             }
             const std::size_t j = pair.second < 0 ? wall : pair.second;
             const double velocity = (bodies[j].velocity - bodies[pair.first].velocity).dot(approach->normal);
-            const double penetration = -(velocity + approach->gap / dt_);
+            const double penetration = -(velocity + std::max(0.0, approach->gap) / dt_);
             if (penetration > 0)
             {
                 kept_[p] = 1;
@@ -123,6 +129,33 @@ double ContactProblem<D>::residual(const std::vector<Body<D>>& bodies)
         }
     }
     return std::max(largest, std::sqrt(largestSquare));
+}
+
+template <int D>
+double ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
+{
+    double worst = 0;
+    overlaps_.clear();
+    overlaps_.reserve(contacts_.size());
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+    {
+        const Contact<D>& c = contacts_[k];
+        const double velocity = (bodies[c.j].velocity - bodies[c.i].velocity).dot(c.normal) + gap_[k] / dt_;
+        worst = std::max(worst, -velocity);
+        overlaps_.push_back({c.normal, velocity < 0 ? share * velocity : velocity, c.inverseW, 0, c.i, c.j});
+    }
+    return worst;
+}
+
+template <int D>
+double ContactProblem<D>::separate(int group, std::vector<Body<D>>& displacements)
+{
+    double largest = 0;
+    for (std::size_t k = begin_[group]; k < begin_[group + 1]; ++k)
+    {
+        largest = std::max(largest, nscd::separate<D>(overlaps_[k], displacements.data()));
+    }
+    return largest;
 }
 
 template <int D>

@@ -37,6 +37,14 @@ public:
     /// Did the last residual() find candidates that should have been chosen?
     bool incomplete() const { return incomplete_; }
 
+    /// Find what would overlap at the end of the step if the bodies moved with their present velocities; returns the
+    /// worst as a velocity, overlap/dt [m/s].  The sweeps of separate() will remove the given share of it.
+    double measureOverlaps(const std::vector<Body<D>>& bodies, double share);
+
+    /// One sweep over a group that pushes overlapping bodies apart: displacements/dt stand in the bodies' velocity.
+    /// Returns the square of the largest change [m^2/s^2].
+    double separate(int group, std::vector<Body<D>>& displacements);
+
     /// Write the impulses back; zero for candidates that were not chosen.
     void store(std::vector<Impulse<D>>& impulses) const;
 
@@ -50,6 +58,8 @@ private:
     std::vector<char> kept_;              ///< candidates that are in the problem, or must be
     bool incomplete_ = false;
     std::vector<Contact<D>> contacts_;
+    std::vector<double> gap_;           ///< of each contact, not less than what one step may remove [m]
+    std::vector<Overlap<D>> overlaps_;  ///< of each contact
     std::vector<std::size_t> source_;   ///< candidate of each contact
     std::vector<std::size_t> begin_;    ///< first contact of each group, and the end
 };

@@ -47,8 +47,15 @@ private:
     void updateCandidates(const FreeMotion& free, double dt);
     void rebuildCandidates(const Vectors<D>& positions, double skin, const std::vector<NamedImpulse<D>>& impulses);
     std::vector<Body<D>> makeBodies(const FreeMotion& free) const;
-    void solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt, StepReport& report);
-    void move(const FreeMotion& free, const std::vector<Body<D>>& bodies, double dt);
+    bool solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt, StepReport& report);
+
+    /// Displacements over dt, in the bodies' velocity, that take overlaps away without touching the grains' velocity.
+    /// (With the correction inside the impulses, warm-started sweeps that do not converge make a deep pile bounce for
+    /// ever: the correction would have to be slower than the sweeps carry impulses through the pile.)
+    std::vector<Body<D>> separate(ContactProblem<D>& problem, const std::vector<Body<D>>& bodies, double dt,
+                                  bool converged);
+    void move(const FreeMotion& free, const std::vector<Body<D>>& bodies, const std::vector<Body<D>>& displacements,
+              double dt);
 
     /// Penetration of the present positions; collective.
     void measureOverlaps(StepReport& report);

@@ -14,6 +14,10 @@ namespace
 /// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
 constexpr int firstLook = 4;
 
+/// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
+/// disturbs the force network; it must happen more slowly than the sweeps restore it.
+constexpr double cautiousShare = 0.1;
+
 template <int D>
 Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
 {
@@ -53,10 +57,10 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     report.detectionTime += watch.restart();
 
     schedule_->pass(bodies, [&](int group) { problem.applyImpulses(group, bodies); });
-    solve(problem, bodies, dt, report);
+    const bool converged = solve(problem, bodies, dt, report);
     problem.store(impulses_);
     lastSubStep_ = dt;
-    move(free, bodies, dt);
+    move(free, bodies, separate(problem, bodies, dt, converged), dt);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem.contacts()), double(problem.active())};
     communicator_.sum(counts);
@@ -119,7 +123,7 @@ std::vector<Body<D>> ContactDynamics<D>::Implementation::makeBodies(const FreeMo
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt,
+bool ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt,
                                                StepReport& report)
 {
     const double tolerance = settings_.tolerance / dt;
@@ -154,10 +158,42 @@ void ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::
     }
     report.residual = std::max(report.residual, residual);
     report.converged = report.converged && residual <= tolerance;
+    return residual <= tolerance;
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::move(const FreeMotion& free, const std::vector<Body<D>>& bodies, double dt)
+std::vector<Body<D>> ContactDynamics<D>::Implementation::separate(ContactProblem<D>& problem,
+                                                                  const std::vector<Body<D>>& bodies, double dt,
+                                                                  bool converged)
+{
+    std::vector<Body<D>> displacements = bodies;
+    for (Body<D>& body : displacements)
+    {
+        body.velocity.setZero();
+    }
+    const double tolerance = settings_.tolerance / dt;
+    if (communicator_.max(problem.measureOverlaps(bodies, converged ? 1 : cautiousShare)) <= tolerance)
+    {
+        return displacements;
+    }
+    const int maxSweeps = std::max(1, settings_.maxSweeps / 4);
+    for (int sweeps = 0; sweeps < maxSweeps; ++sweeps)
+    {
+        double change = 0;
+        schedule_->pass(displacements,
+                        [&](int group) { change = std::max(change, problem.separate(group, displacements)); });
+        if (std::sqrt(communicator_.max(change)) <= tolerance)
+        {
+            break;
+        }
+    }
+    communicator_.share(displacements, candidates_.rankBegin());
+    return displacements;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::move(const FreeMotion& free, const std::vector<Body<D>>& bodies,
+                                              const std::vector<Body<D>>& displacements, double dt)
 {
     for (std::size_t k = 0; k < grains_.size(); ++k)
     {
@@ -170,7 +206,7 @@ void ContactDynamics<D>::Implementation::move(const FreeMotion& free, const std:
         contactSpinImpulse_[i] += inertiaFactor<D> * m * r * surfaceChange;
         grains_.velocity[i] = bodies[k].velocity;
         grains_.spin[i] = free.spin[i] + surfaceChange / r;
-        grains_.position[i] += dt * grains_.velocity[i];
+        grains_.position[i] += dt * (bodies[k].velocity + displacements[k].velocity);
     }
 }
 

@@ -3,22 +3,15 @@
 
 #include "nscd/Validation.hpp"
 
-#include <sstream>
-#include <stdexcept>
+#include "nscd/Check.hpp"
+
+#include <string>
 
 namespace nscd
 {
 
 namespace
 {
-
-template <class... Parts>
-[[noreturn]] void refuse(const Parts&... parts)
-{
-    std::ostringstream message;
-    (message << ... << parts);
-    throw std::invalid_argument(message.str());
-}
 
 void checkMaterial(int material, const ContactTable& table, const std::string& owner)
 {

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace nscd
+{
+
+/// Throw std::invalid_argument with the parts written one after the other.
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts)
+{
+    std::ostringstream message;
+    (message << ... << parts);
+    throw std::invalid_argument(message.str());
+}
+
+/// A radius in metres must be positive.
+inline void checkRadius(double radius)
+{
+    if (!(radius > 0) || !std::isfinite(radius))
+    {
+        refuse("radius ", radius, " m is not positive");
+    }
+}
+
+}  // namespace nscd

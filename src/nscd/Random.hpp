@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace nscd
+{
+
+/// Uniform random numbers, the same for a seed on every platform (the standard's distributions are not).
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    /// In [lower, upper).
+    double uniform(double lower, double upper)
+    {
+        return lower + (upper - lower) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+}  // namespace nscd

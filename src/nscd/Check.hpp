@@ -19,10 +19,16 @@ template <class... Parts>
     throw std::invalid_argument(message.str());
 }
 
+/// Finite and > 0; unlike a comparison, raises no floating-point exception for not-a-number.
+inline bool isPositive(double value)
+{
+    return std::isfinite(value) && value > 0;
+}
+
 /// A radius in metres must be positive.
 inline void checkRadius(double radius)
 {
-    if (!(radius > 0) || !std::isfinite(radius))
+    if (!isPositive(radius))
     {
         refuse("radius ", radius, " m is not positive");
     }

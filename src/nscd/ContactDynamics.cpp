@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "nscd/Check.hpp"
 #include "nscd/Implementation.hpp"
 #include "nscd/Validation.hpp"
 
@@ -67,7 +68,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
         throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " + std::to_string(force.size()) +
                                     " forces and " + std::to_string(torque.size()) + " torques");
     }
-    if (!(dt > 0) || !std::isfinite(dt))
+    if (!isPositive(dt))
     {
         throw std::invalid_argument("time step " + std::to_string(dt) + " s is not positive");
     }

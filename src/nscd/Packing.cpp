@@ -43,7 +43,7 @@ Vectors<D> lattice(const Box<D>& box, double radius, double spacing)
 {
     checkBox<D>(box);
     checkRadius(radius);
-    if (!(spacing >= 2 * radius * (1 - roundOff)) || !std::isfinite(spacing))
+    if (!std::isfinite(spacing) || spacing < 2 * radius * (1 - roundOff))
     {
         refuse("spacing ", spacing, " m is less than two radii of ", radius, " m");
     }
@@ -72,7 +72,7 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap)
 {
     checkBox<D>(box);
     checkRadius(radius);
-    if (!(gap >= 0) || !std::isfinite(gap))
+    if (!std::isfinite(gap) || gap < 0)
     {
         refuse("gap ", gap, " m is negative");
     }
@@ -119,15 +119,15 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap)
 template <int D>
 Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime)
 {
-    if (!(atRest > 0))
+    if (!isPositive(atRest))
     {
         refuse("velocity at rest ", atRest, " m/s is not positive");
     }
-    if (!(maxTime > 0))
+    if (!isPositive(maxTime))
     {
         refuse("longest time ", maxTime, " s is not positive");
     }
-    if (!(dt > 0))
+    if (!isPositive(dt))
     {
         refuse("time step ", dt, " s is not positive");
     }

@@ -55,7 +55,7 @@ void validate(const Grains<D>& grains, const ContactTable& table)
         const auto checkPositive = [&](double value, const char* what, const char* unit)
         {
             checkFinite(std::isfinite(value), what);
-            if (!(value > 0))
+            if (value <= 0)
             {
                 refuse(name, ": ", what, " ", value, " ", unit, " is not positive");
             }
@@ -79,7 +79,7 @@ void validate(const Walls<2>& walls, const ContactTable& table)
         {
             refuse(name, ": an end point is not finite");
         }
-        if (!((walls[w].b - walls[w].a).norm() > 0))
+        if ((walls[w].b - walls[w].a).norm() == 0)
         {
             refuse(name, ": its two end points coincide at (", walls[w].a.x(), ", ", walls[w].a.y(), ")");
         }
@@ -106,7 +106,7 @@ void validate(const Walls<3>& walls, const ContactTable& table)
 
 void validate(const Settings& s)
 {
-    if (!(s.tolerance > 0) || !std::isfinite(s.tolerance))
+    if (!isPositive(s.tolerance))
     {
         refuse("settings: tolerance ", s.tolerance, " m is not positive");
     }
@@ -114,7 +114,7 @@ void validate(const Settings& s)
     {
         refuse("settings: maxSweeps ", s.maxSweeps, " is less than 1");
     }
-    if (!(s.maxDisplacement > 0) || !std::isfinite(s.maxDisplacement))
+    if (!isPositive(s.maxDisplacement))
     {
         refuse("settings: maxDisplacement ", s.maxDisplacement, " is not positive");
     }
@@ -130,7 +130,7 @@ void validate(const ContactTable& table)
     {
         for (int b = a; b < table.materials(); ++b)
         {
-            if (!(table(a, b).friction >= 0) || !std::isfinite(table(a, b).friction))
+            if (!std::isfinite(table(a, b).friction) || table(a, b).friction < 0)
             {
                 refuse("contact table: friction ", table(a, b).friction, " of materials ", a, " and ", b,
                        " is not a number >= 0");

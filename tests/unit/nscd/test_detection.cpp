@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Candidates against all pairs, blocks, and the rounds between blocks.
+
+#include "Scene.hpp"
+
+#include "nscd/Bisection.hpp"
+#include "nscd/Schedule.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace
+{
+
+template <int D>
+void expectAllNearPairs(double smallest, double stray)
+{
+    nscd::Random random(3);
+    nscd::Vectors<D> x;
+    std::vector<double> radius;
+    for (int i = 0; i < 400; ++i)
+    {
+        nscd::Vector<D> p;
+        for (int d = 0; d < D; ++d)
+        {
+            p[d] = random.uniform(-7, 9);
+        }
+        x.push_back(p);
+        radius.push_back(std::exp(random.uniform(std::log(smallest), 0.0)));
+    }
+    x[5][0] = stray;
+    const double skin = 0.2;
+    const nscd::Communicator communicator(MPI_COMM_SELF);
+    const nscd::Candidates<D> candidates(x, radius, nscd::WallContact<D>({}), 0, skin, 8, communicator);
+
+    std::multiset<std::pair<int, int>> found;
+    for (const nscd::Pair& pair : candidates.pairs())
+    {
+        EXPECT_LT(pair.first, pair.second);
+        found.insert(std::minmax(candidates.order()[pair.first], candidates.order()[pair.second]));
+    }
+    std::multiset<std::pair<int, int>> expected;
+    for (int i = 0; i < 400; ++i)
+    {
+        for (int j = i + 1; j < 400; ++j)
+        {
+            if ((x[i] - x[j]).norm() < radius[i] + radius[j] + skin)
+            {
+                expected.insert({i, j});
+            }
+        }
+    }
+    EXPECT_GT(expected.size(), 20u);
+    EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+
+TEST(Candidates, AreAllPairsNearerThanTheSkin)
+{
+    expectAllNearPairs<2>(0.5, 0);
+    expectAllNearPairs<3>(0.5, 0);
+}
+
+TEST(Candidates, AreCompleteForAWideRangeOfSizesAndStrayGrains)
+{
+    expectAllNearPairs<2>(0.01, 1e7);
+    expectAllNearPairs<3>(0.01, -1e20);
+}
+
+TEST(Candidates, ContainNearWallsOnly)
+{
+    nscd::Walls<2> walls;
+    for (int i = 0; i < 100; ++i)
+    {
+        walls.push_back({{i * 1.0, 0.3 * i}, {i + 1.0, 0.3 * i + 0.3}, 0});
+    }
+    nscd::Random random(5);
+    nscd::Vectors<2> x;
+    for (int i = 0; i < 500; ++i)
+    {
+        x.push_back({random.uniform(-5, 105), random.uniform(-5, 40)});
+    }
+    const nscd::WallContact<2> shapes(walls);
+    const nscd::Communicator communicator(MPI_COMM_SELF);
+    const nscd::Candidates<2> candidates(x, std::vector<double>(500, 0.6), shapes, 100, 0.3, 4, communicator);
+    std::multiset<std::pair<int, int>> found, expected;
+    for (const nscd::Pair& pair : candidates.pairs())
+    {
+        if (pair.second < 0)
+        {
+            found.insert({candidates.order()[pair.first], ~pair.second});
+        }
+    }
+    for (int i = 0; i < 500; ++i)
+    {
+        for (int w = 0; w < 100; ++w)
+        {
+            if (shapes.distance(w, x[i]) < 0.9)
+            {
+                expected.insert({i, w});
+            }
+        }
+    }
+    EXPECT_GT(expected.size(), 20u);
+    EXPECT_EQ(found, expected);
+}
+
+TEST(Bisection, MakesBlocksOfEqualSizeAlsoOfEqualPositions)
+{
+    nscd::Vectors<2> x(1001, nscd::Vector<2>(1, 1));
+    for (int i = 0; i < 500; ++i)
+    {
+        x[i].x() = i % 10;
+    }
+    std::vector<int> count(8, 0);
+    for (const int block : nscd::bisect<2>(x, 8))
+    {
+        ++count[block];
+    }
+    for (const int n : count)
+    {
+        EXPECT_NEAR(n, 1001 / 8.0, 1);
+    }
+}
+
+TEST(Rounds, NeverUseABlockTwice)
+{
+    std::vector<std::pair<int, int>> edges;
+    for (int a = 0; a < 8; ++a)
+    {
+        for (int b = a + 1; b < 8; ++b)
+        {
+            edges.emplace_back(a, b);
+        }
+    }
+    std::size_t total = 0;
+    for (const auto& round : nscd::colourEdges(edges, 8))
+    {
+        std::set<int> used;
+        for (const auto& [a, b] : round)
+        {
+            EXPECT_TRUE(used.insert(a).second);
+            EXPECT_TRUE(used.insert(b).second);
+        }
+        total += round.size();
+    }
+    EXPECT_EQ(total, edges.size());
+}

@@ -16,9 +16,17 @@ template <int D>
 class ContactProblem
 {
 public:
-    ContactProblem(const Arrangement<D>& arrangement, const Candidates<D>& candidates, double dt)
-        : arrangement_(arrangement), candidates_(candidates), dt_(dt), kept_(candidates.pairs().size(), 0)
+    ContactProblem(const Arrangement<D>& arrangement, const Candidates<D>& candidates)
+        : arrangement_(arrangement), candidates_(candidates)
     {
+    }
+
+    /// Forget the last sub-step, but not its memory.
+    void begin(double dt)
+    {
+        dt_ = dt;
+        incomplete_ = false;
+        kept_.assign(candidates_.pairs().size(), 0);
     }
 
     /// Select the candidates that would touch, or nearly so, at the bodies' present velocities and those that
@@ -54,7 +62,7 @@ public:
 private:
     const Arrangement<D>& arrangement_;
     const Candidates<D>& candidates_;
-    double dt_;
+    double dt_ = 0;
     std::vector<char> kept_;              ///< candidates that are in the problem, or must be
     bool incomplete_ = false;
     std::vector<Contact<D>> contacts_;

@@ -46,16 +46,17 @@ private:
     void advance(const FreeMotion& free, double dt, StepReport& report);
     void updateCandidates(const FreeMotion& free, double dt);
     void rebuildCandidates(const Vectors<D>& positions, double skin, const std::vector<NamedImpulse<D>>& impulses);
-    std::vector<Body<D>> makeBodies(const FreeMotion& free) const;
-    bool solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt, StepReport& report);
+    void makeBodies(const FreeMotion& free);
 
-    /// Displacements over dt, in the bodies' velocity, that take overlaps away without touching the grains' velocity.
-    /// (With the correction inside the impulses, warm-started sweeps that do not converge make a deep pile bounce for
-    /// ever: the correction would have to be slower than the sweeps carry impulses through the pile.)
-    std::vector<Body<D>> separate(ContactProblem<D>& problem, const std::vector<Body<D>>& bodies, double dt,
-                                  bool converged);
-    void move(const FreeMotion& free, const std::vector<Body<D>>& bodies, const std::vector<Body<D>>& displacements,
-              double dt);
+    /// Sweep until the impulses are within the tolerance; false when the sweeps run out.
+    bool solve(double dt, StepReport& report);
+
+    /// Displacements over dt that take overlaps away without touching the grains' velocity.  (With the correction
+    /// inside the impulses, warm-started sweeps that do not converge make a deep pile bounce for ever: the correction
+    /// would have to be slower than the sweeps carry impulses through the pile.)
+    void separate(double dt, bool converged);
+
+    void move(const FreeMotion& free, double dt);
 
     /// Penetration of the present positions; collective.
     void measureOverlaps(StepReport& report);
@@ -70,6 +71,8 @@ private:
     double smallestRadius_ = 0, meanRadius_ = 0;
     Candidates<D> candidates_;
     std::unique_ptr<Schedule<D>> schedule_;
+    ContactProblem<D> problem_{arrangement_, candidates_};
+    std::vector<Body<D>> bodies_, displacements_;
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
 
     Vectors<D> contactImpulse_;

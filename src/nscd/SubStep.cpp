@@ -51,18 +51,19 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
 {
     Stopwatch watch;
     updateCandidates(free, dt);
-    std::vector<Body<D>> bodies = makeBodies(free);
-    ContactProblem<D> problem(arrangement_, candidates_, dt);
-    problem.choose(bodies, impulses_);
+    makeBodies(free);
+    problem_.begin(dt);
+    problem_.choose(bodies_, impulses_);
     report.detectionTime += watch.restart();
 
-    schedule_->pass(bodies, [&](int group) { problem.applyImpulses(group, bodies); });
-    const bool converged = solve(problem, bodies, dt, report);
-    problem.store(impulses_);
+    schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
+    const bool converged = solve(dt, report);
+    problem_.store(impulses_);
     lastSubStep_ = dt;
-    move(free, bodies, separate(problem, bodies, dt, converged), dt);
+    separate(dt, converged);
+    move(free, dt);
 
-    std::vector<double> counts{double(candidates_.pairs().size()), double(problem.contacts()), double(problem.active())};
+    std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()), double(problem_.active())};
     communicator_.sum(counts);
     report.candidates = static_cast<std::size_t>(counts[0]);
     report.contacts = static_cast<std::size_t>(counts[1]);
@@ -110,21 +111,18 @@ void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& pos
 }
 
 template <int D>
-std::vector<Body<D>> ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free) const
+void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free)
 {
-    std::vector<Body<D>> bodies;
-    bodies.reserve(grains_.size() + 1);
+    bodies_.clear();
     for (const int i : candidates_.order())
     {
-        bodies.push_back({free.velocity[i], surfaceSpeed<D>(free.spin[i], grains_.radius[i]), 1 / grains_.mass[i]});
+        bodies_.push_back({free.velocity[i], surfaceSpeed<D>(free.spin[i], grains_.radius[i]), 1 / grains_.mass[i]});
     }
-    bodies.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
-    return bodies;
+    bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
 }
 
 template <int D>
-bool ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::vector<Body<D>>& bodies, double dt,
-                                               StepReport& report)
+bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
 {
     const double tolerance = settings_.tolerance / dt;
     double worthLooking = tolerance;
@@ -133,8 +131,7 @@ bool ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::
     for (int sweeps = 1; sweeps <= settings_.maxSweeps; ++sweeps)
     {
         double change = 0;
-        schedule_->pass(bodies,
-                        [&](int group) { change = std::max(change, problem.sweep(group, bodies)); });
+        schedule_->pass(bodies_, [&](int group) { change = std::max(change, problem_.sweep(group, bodies_)); });
         change = std::sqrt(communicator_.max(change));
         ++report.sweeps;
         if (change > worthLooking && sweeps != nextLook && sweeps != settings_.maxSweeps)
@@ -144,16 +141,16 @@ bool ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::
         worthLooking = std::min(worthLooking, change / 2);
         nextLook = sweeps < nextLook ? nextLook : 4 * nextLook;
 
-        communicator_.share(bodies, candidates_.rankBegin());
-        residual = communicator_.max(problem.residual(bodies));
+        communicator_.share(bodies_, candidates_.rankBegin());
+        residual = communicator_.max(problem_.residual(bodies_));
         if (residual <= tolerance)
         {
             break;
         }
-        if (communicator_.max(problem.incomplete()) > 0)
+        if (communicator_.max(problem_.incomplete()) > 0)
         {
-            problem.store(impulses_);
-            problem.choose(bodies, impulses_);
+            problem_.store(impulses_);
+            problem_.choose(bodies_, impulses_);
         }
     }
     report.residual = std::max(report.residual, residual);
@@ -162,38 +159,34 @@ bool ContactDynamics<D>::Implementation::solve(ContactProblem<D>& problem, std::
 }
 
 template <int D>
-std::vector<Body<D>> ContactDynamics<D>::Implementation::separate(ContactProblem<D>& problem,
-                                                                  const std::vector<Body<D>>& bodies, double dt,
-                                                                  bool converged)
+void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
 {
-    std::vector<Body<D>> displacements = bodies;
-    for (Body<D>& body : displacements)
+    displacements_ = bodies_;
+    for (Body<D>& body : displacements_)
     {
         body.velocity.setZero();
     }
     const double tolerance = settings_.tolerance / dt;
-    if (communicator_.max(problem.measureOverlaps(bodies, converged ? 1 : cautiousShare)) <= tolerance)
+    if (communicator_.max(problem_.measureOverlaps(bodies_, converged ? 1 : cautiousShare)) <= tolerance)
     {
-        return displacements;
+        return;
     }
     const int maxSweeps = std::max(1, settings_.maxSweeps / 4);
     for (int sweeps = 0; sweeps < maxSweeps; ++sweeps)
     {
         double change = 0;
-        schedule_->pass(displacements,
-                        [&](int group) { change = std::max(change, problem.separate(group, displacements)); });
+        schedule_->pass(displacements_,
+                        [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
         if (std::sqrt(communicator_.max(change)) <= tolerance)
         {
             break;
         }
     }
-    communicator_.share(displacements, candidates_.rankBegin());
-    return displacements;
+    communicator_.share(displacements_, candidates_.rankBegin());
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::move(const FreeMotion& free, const std::vector<Body<D>>& bodies,
-                                              const std::vector<Body<D>>& displacements, double dt)
+void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt)
 {
     for (std::size_t k = 0; k < grains_.size(); ++k)
     {
@@ -201,12 +194,12 @@ void ContactDynamics<D>::Implementation::move(const FreeMotion& free, const std:
         const double m = grains_.mass[i];
         const double r = grains_.radius[i];
         const Spin<D> surfaceChange =
-            toSpin<D>(bodies[k].surfaceSpeed - surfaceSpeed<D>(free.spin[i], r));
-        contactImpulse_[i] += m * (bodies[k].velocity - free.velocity[i]);
+            toSpin<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free.spin[i], r));
+        contactImpulse_[i] += m * (bodies_[k].velocity - free.velocity[i]);
         contactSpinImpulse_[i] += inertiaFactor<D> * m * r * surfaceChange;
-        grains_.velocity[i] = bodies[k].velocity;
+        grains_.velocity[i] = bodies_[k].velocity;
         grains_.spin[i] = free.spin[i] + surfaceChange / r;
-        grains_.position[i] += dt * (bodies[k].velocity + displacements[k].velocity);
+        grains_.position[i] += dt * (bodies_[k].velocity + displacements_[k].velocity);
     }
 }
 

@@ -5,8 +5,10 @@
 
 #include "grainSource.H"
 
+#include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "mathematicalConstants.H"
+#include "OStringStream.H"
 #include "planarMesh.H"
 #include "selected.H"
 
@@ -27,6 +29,35 @@ Foam::autoPtr<Foam::grainSource> Foam::grainSource::New
     (
         *dictionaryConstructorTablePtr_, dict, "source of grains"
     )(dict, ctx);
+}
+
+
+void Foam::grainSource::checkKeywords(const dictionary& dict, wordList own)
+{
+    own.append(wordList({"type", "material", "output"}));
+    dictionaryInput::checkKeywords(dict, own);
+}
+
+
+nscd::Box<2> Foam::grainSource::box(const dictionary& dict) const
+{
+    ITstream& is = dict.lookup("box");
+    const point first(is), second(is);
+    const planarMesh::point2 a(context_.plane.toPlane(first));
+    const planarMesh::point2 b(context_.plane.toPlane(second));
+    const nscd::Box<2> result{a.cwiseMin(b), a.cwiseMax(b)};
+
+    if ((result.upper - result.lower).minCoeff() <= 0)
+    {
+        OStringStream value;
+        value << first << ' ' << second;
+        dictionaryInput::badValue
+        (
+            dict, "box", value.str(),
+            "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
+        );
+    }
+    return result;
 }
 
 

@@ -34,7 +34,7 @@ scalar readChecked
 string interval(const scalar low, const scalar high)
 {
     OStringStream os;
-    if (high >= GREAT)
+    if (high >= labelMax)
     {
         os  << "a value >= " << low;
     }
@@ -165,6 +165,24 @@ Foam::scalar Foam::dictionaryInput::getPositiveOrDefault
 }
 
 
+Foam::label Foam::dictionaryInput::getLabel
+(
+    const dictionary& dict,
+    const word& keyword,
+    const label low,
+    const label high
+)
+{
+    const label value = dict.get<label>(keyword);
+
+    if (value < low || value > high)
+    {
+        badValue(dict, keyword, name(value), interval(low, high));
+    }
+    return value;
+}
+
+
 Foam::label Foam::dictionaryInput::getLabelOrDefault
 (
     const dictionary& dict,
@@ -174,13 +192,8 @@ Foam::label Foam::dictionaryInput::getLabelOrDefault
     const label high
 )
 {
-    const label value = dict.getOrDefault<label>(keyword, deflt);
-
-    if (value < low || value > high)
-    {
-        badValue(dict, keyword, name(value), interval(low, high));
-    }
-    return value;
+    return
+        dict.found(keyword) ? getLabel(dict, keyword, low, high) : deflt;
 }
 
 

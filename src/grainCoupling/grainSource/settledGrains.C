@@ -51,6 +51,11 @@ Foam::grainSources::settled::settled
 
 nscd::Grains<2> Foam::grainSources::settled::read() const
 {
+    // Grains at rest need few sweeps, but on the way there a pile that is not
+    // solved to the tolerance creeps
+    nscd::Settings contact(context_.contact);
+    contact.maxSweeps = std::max(contact.maxSweeps, 1000);
+
     const nscd::Settled<2> result = nscd::settle<2>
     (
         nscd::ContactDynamics<2>
@@ -61,7 +66,7 @@ nscd::Grains<2> Foam::grainSources::settled::read() const
             )->read(),
             context_.walls,
             context_.materials.contactTable(),
-            context_.contact
+            contact
         ),
         context_.plane.toPlane(context_.g),
         deltaT_,

@@ -3,11 +3,11 @@
 """Pictures and table of the two runs: snapshots/*.png, volumeDefects.csv."""
 
 import csv
+from pathlib import Path
 
 import grainplot
 import matplotlib.pyplot as plt
 import numpy as np
-from pathlib import Path
 
 METHODS = {"centroid": "particle centroid", "exactOverlap": "exact overlap"}
 HEIGHT = 0.6  # of the box [m]
@@ -35,7 +35,7 @@ def void_fraction(case, time, mesh):
 def snapshot(time):
     """Grains with the mesh and void fraction, the two methods side by side (fig. 3.9)."""
     figure, axes = plt.subplots(
-        1, 4, figsize=(15, 6.2), sharey=True, layout="constrained"
+        1, 4, figsize=(14, 6.6), sharey=True, layout="constrained"
     )
     for (case, title), (left, right) in zip(METHODS.items(), (axes[:2], axes[2:]), strict=True):
         mesh = grainplot.read_mesh(case)
@@ -50,8 +50,9 @@ def snapshot(time):
         left.set_title(f"{title}, t = {time} s")
         right.set_title("void fraction")
     axes[0].set_ylabel("y [m]")
-    figure.colorbar(discs, ax=axes[3], label="grain speed [m/s]", shrink=0.45, anchor=(0, 0.9))
-    figure.colorbar(cells, ax=axes[3], label="void fraction", shrink=0.45, anchor=(0, 0.1))
+    style = {"location": "bottom", "shrink": 0.7, "aspect": 40}
+    figure.colorbar(discs, ax=list(axes[:2]), label="grain speed [m/s]", **style)
+    figure.colorbar(cells, ax=list(axes[2:]), label="void fraction", **style)
     return figure
 
 

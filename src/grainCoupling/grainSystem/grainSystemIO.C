@@ -49,6 +49,38 @@ void Foam::grainSystem::endWrite() const
     if (Pstream::master())
     {
         mv(stateFile() + ".incomplete", stateFile());
+        purge();
+    }
+}
+
+
+void Foam::grainSystem::purge() const
+{
+    const Time& runTime = mesh().time();
+    if
+    (
+        !Pstream::parRun()
+     || runTime.controlDict().getOrDefault<label>("purgeWrite", 0) <= 0
+    )
+    {
+        return;
+    }
+
+    // The fields of the ranks have been purged by Time, in their directories
+    const fileName casePath(runTime.globalPath());
+    for (const instant& time : Time::findTimes(casePath))
+    {
+        const fileName timeDir(casePath/time.name());
+        if
+        (
+            !isDir(runTime.path()/time.name())
+         && isFile(timeDir/"grains.h5", false)
+         && readDir(timeDir, fileName::FILE).size() == 1
+         && readDir(timeDir, fileName::DIRECTORY).empty()
+        )
+        {
+            rmDir(timeDir);
+        }
     }
 }
 

@@ -17,6 +17,11 @@ constexpr double margin = 0.02;
 /// nearby are noticed in time.
 constexpr double largestPush = 0.1;
 
+/// A contact that carried an impulse in the last sub-step may open by this fraction of the smaller radius before its
+/// grains may approach again.  Otherwise the gaps that the removal of overlaps opens next to them close under the
+/// load, step after step, and a deep pile whose impulses do not converge sinks into itself.
+constexpr double slack = 5e-3;
+
 template <int D>
 Tangent<D> inTangentPlane(const Tangent<D>& impulse, const Vector<D>& normal)
 {
@@ -31,6 +36,17 @@ Tangent<D> inTangentPlane(const Tangent<D>& impulse, const Vector<D>& normal)
 }
 
 }  // namespace
+
+template <int D>
+void ContactProblem<D>::begin(const std::vector<Impulse<D>>& impulses, double dt)
+{
+    dt_ = dt;
+    incomplete_ = false;
+    kept_.assign(impulses.size(), 0);
+    loaded_.resize(impulses.size());
+    std::transform(impulses.begin(), impulses.end(), loaded_.begin(),
+                   [](const Impulse<D>& impulse) { return impulse.normal > 0; });
+}
 
 template <int D>
 void ContactProblem<D>::choose(const std::vector<Body<D>>& bodies, const std::vector<Impulse<D>>& impulses)
@@ -57,7 +73,8 @@ void ContactProblem<D>::choose(const std::vector<Body<D>>& bodies, const std::ve
             {
                 continue;
             }
-            contacts_.push_back({approach->normal, std::max(0.0, approach->gap) / dt_,
+            const double open = loaded_[p] ? slack * arrangement_.radius(pair) : 0;
+            contacts_.push_back({approach->normal, std::max(0.0, approach->gap - open) / dt_,
                                  1 / (bodies[pair.first].inverseMass + bodies[j].inverseMass),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
                                  inTangentPlane<D>(impulses[p].tangential, approach->normal), pair.first, j});

@@ -21,13 +21,8 @@ public:
     {
     }
 
-    /// Forget the last sub-step, but not its memory.
-    void begin(double dt)
-    {
-        dt_ = dt;
-        incomplete_ = false;
-        kept_.assign(candidates_.pairs().size(), 0);
-    }
+    /// Start a sub-step with the impulses of the last one, scaled to dt.
+    void begin(const std::vector<Impulse<D>>& impulses, double dt);
 
     /// Select the candidates that would touch, or nearly so, at the bodies' present velocities and those that
     /// residual() has found missing, keeping all chosen before; take over their impulses without applying them.
@@ -64,6 +59,7 @@ private:
     const Candidates<D>& candidates_;
     double dt_ = 0;
     std::vector<char> kept_;              ///< candidates that are in the problem, or must be
+    std::vector<char> loaded_;            ///< candidates with an impulse in the last sub-step
     bool incomplete_ = false;
     std::vector<Contact<D>> contacts_;
     std::vector<double> gap_;           ///< of each contact, not less than what one step may remove [m]

@@ -52,7 +52,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     Stopwatch watch;
     updateCandidates(free, dt);
     makeBodies(free);
-    problem_.begin(dt);
+    problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
     report.detectionTime += watch.restart();
 

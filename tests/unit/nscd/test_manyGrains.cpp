@@ -251,6 +251,27 @@ TEST(HexagonalPacking, OfTenThousandDiscsStaysAtRest)
     EXPECT_LT(last.worstOverlap, 0.01 * r);
 }
 
+TEST(DeepPile, NeitherBouncesNorSinksIntoItselfWithFewSweeps)
+{
+    const Vector<2> size(21, 2 + 39 * std::sqrt(3.0));
+    Scene<2> scene(0.3);
+    for (const Vector<2>& x : nscd::hexagonal<2>({Vector<2>::Zero(), size}, 1))
+    {
+        scene.add(x);
+    }
+    scene.addBox(size);
+    scene.settings.tolerance = 1e-5;
+    scene.settings.maxSweeps = 8;   // a cold solution would need the square of the 40 layers
+    auto dynamics = scene.dynamics();
+    nscd::StepReport last;
+    for (int i = 0; i < 3000; ++i)
+    {
+        last = fall<2>(dynamics, up<2>(-g), 1e-2);
+    }
+    EXPECT_LT(last.worstOverlap, 0.02);
+    EXPECT_LT(last.maxVelocity, g * 1e-2);   // what gravity gives in one step
+}
+
 TEST(NoGrains, CanBeAdvanced)
 {
     Scene<2> scene;

@@ -86,8 +86,8 @@ void run(const std::string& packing, int steps, int sweeps, std::size_t count, b
     if (prints)
     {
         std::printf("%zu grains, dt %g s, at most %d sweeps\n", weight.size(), dt, sweeps);
-        std::printf("%6s %9s %8s %8s %9s %9s %11s %11s %9s\n", "step", "contacts", "sweeps", "M/s", "ms/step", "detect %",
-                    "mean/d", "worst/d", "vmax m/s");
+        std::printf("%6s %9s %8s %8s %9s %9s %11s %11s %9s\n", "step", "contacts", "sweeps", "M/s", "ms/step",
+                    "detect %", "mean/d", "worst/d", "vmax m/s");
     }
     int sweepsDone = 0;
     for (int step = 1; step <= steps; ++step)

@@ -49,7 +49,11 @@ struct StepReport
 };
 
 /// Grains and fixed walls in frictional, perfectly inelastic contact (Signorini-Coulomb, time stepping after
-/// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel.
+/// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel:
+///     r_n >= 0,  u_n + max(gap, 0)/dt >= 0,  complementary,  and  |r_t| <= mu r_n.
+/// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
+/// velocity and no impulse from it.  A contact that carried an impulse in the step before lets its grains approach
+/// again only once its gap exceeds 0.5 % of the smaller radius.
 ///
 /// Every rank holds the state of all grains; the contact problem is shared out over the ranks by spatial blocks.
 /// The result is the same, bit for bit, for every number of ranks.  Works without MPI_Init on one rank.

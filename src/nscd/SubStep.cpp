@@ -63,7 +63,8 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     separate(dt, converged);
     move(free, dt);
 
-    std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()), double(problem_.active())};
+    std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
+                               double(problem_.active())};
     communicator_.sum(counts);
     report.candidates = static_cast<std::size_t>(counts[0]);
     report.contacts = static_cast<std::size_t>(counts[1]);

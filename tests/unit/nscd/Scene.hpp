@@ -116,7 +116,8 @@ double kineticEnergy(const nscd::Grains<D>& grains)
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         const double inertia = nscd::inertiaFactor<D> * grains.mass[i] * grains.radius[i] * grains.radius[i];
-        energy += 0.5 * grains.mass[i] * grains.velocity[i].squaredNorm() + 0.5 * inertia * grains.spin[i].squaredNorm();
+        energy += 0.5 * grains.mass[i] * grains.velocity[i].squaredNorm();
+        energy += 0.5 * inertia * grains.spin[i].squaredNorm();
     }
     return energy;
 }

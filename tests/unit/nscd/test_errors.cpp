@@ -62,7 +62,8 @@ TEST(Grains, WithSenselessValuesAreRefusedByName)
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.position[1].x() = notANumber; }), "grain 101: position is not finite");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.velocity[1].y() = infinity; }), "grain 101: velocity is not finite");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.spin[1][0] = notANumber; }), "grain 101: spin is not finite");
-    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.temperature[1] = notANumber; }), "grain 101: temperature is not finite");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.temperature[1] = notANumber; }),
+              "grain 101: temperature is not finite");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.radius[3] = 0; }), "grain 103: radius 0 m is not positive");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.radius[3] = notANumber; }), "grain 103: radius is not finite");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.mass[0] = -2; }), "grain 100: mass -2 kg is not positive");
@@ -121,9 +122,11 @@ TEST(Step, WithValuesThatAreNotFiniteNamesTheGrain)
     nscd::Vectors<2> force(4, {0, 0});
     nscd::Spins<2> torque(4, nscd::Spin<2>::Zero());
     torque[3][0] = notANumber;
-    EXPECT_EQ(messageOf<std::runtime_error>([&] { dynamics.step(force, torque, 1); }), "grain 103: torque is not finite");
+    EXPECT_EQ(messageOf<std::runtime_error>([&] { dynamics.step(force, torque, 1); }),
+              "grain 103: torque is not finite");
     force[1].x() = infinity;
-    EXPECT_EQ(messageOf<std::runtime_error>([&] { dynamics.step(force, torque, 1); }), "grain 101: force is not finite");
+    EXPECT_EQ(messageOf<std::runtime_error>([&] { dynamics.step(force, torque, 1); }),
+              "grain 101: force is not finite");
 }
 
 TEST(Step, TooFarForSubStepsIsRefused)

@@ -64,7 +64,8 @@ TEST(Hexagonal, ReachesTheDensestSolidFraction)
     const auto discs = nscd::hexagonal<2>(square, r);
     EXPECT_NEAR(static_cast<double>(discs.size()) * M_PI * r * r / 100, M_PI / std::sqrt(12), 0.01);
     const auto spheres = nscd::hexagonal<3>(cube, r);
-    EXPECT_NEAR(static_cast<double>(spheres.size()) * 4 / 3 * M_PI * r * r * r / 216, M_PI / std::sqrt(18), 0.03);   // cut-off at the sides
+    const double sphere = 4.0 / 3 * M_PI * r * r * r;
+    EXPECT_NEAR(static_cast<double>(spheres.size()) * sphere / 216, M_PI / std::sqrt(18), 0.03);   // sides cut off
 }
 
 TEST(Hexagonal, NeighboursAreAGapApart)

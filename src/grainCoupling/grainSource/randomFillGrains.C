@@ -9,9 +9,8 @@
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "nscd/Packing.hpp"
+#include "nscd/Random.hpp"
 #include "planarMesh.H"
-
-#include <random>
 
 namespace Foam
 {
@@ -49,14 +48,11 @@ Foam::grainSources::randomFill::randomFill
 
 nscd::Grains<2> Foam::grainSources::randomFill::read() const
 {
-    // The engine's numbers are the same everywhere, those of the standard
-    // distributions are not
-    std::mt19937_64 engine(seed_);
+    nscd::Random random(seed_);
     std::vector<double> radii;
     for (label i = 0; i < number_; ++i)
     {
-        const double unit = double(engine() >> 11)*0x1p-53;
-        radii.push_back(minRadius_ + (maxRadius_ - minRadius_)*unit);
+        radii.push_back(random.uniform(minRadius_, maxRadius_));
     }
     return grains
     (

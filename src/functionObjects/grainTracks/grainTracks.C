@@ -6,6 +6,7 @@
 #include "grainTracks.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryInput.H"
 #include "grainSystem.H"
 #include "OSspecific.H"
 
@@ -36,6 +37,27 @@ bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     ids_ = labelHashSet(dict.getOrDefault<labelList>("grains", labelList()));
+
+    const auto* grainsPtr =
+        mesh_.cfindObject<grainSystem>(grainSystem::registryName);
+
+    if (grainsPtr)
+    {
+        labelHashSet unknown(ids_);
+        for (const auto id : grainsPtr->dynamics().grains().id)
+        {
+            unknown.erase(label(id));
+        }
+        if (unknown.size())
+        {
+            dictionaryInput::badValue
+            (
+                dict, "grains", Foam::name(unknown.sortedToc()[0]),
+                "ids of grains; there are "
+              + Foam::name(grainsPtr->size()) + " grains, the first is 0"
+            );
+        }
+    }
     return true;
 }
 

@@ -197,6 +197,23 @@ Foam::label Foam::dictionaryInput::getLabelOrDefault
 }
 
 
+void Foam::dictionaryInput::checkDimensions
+(
+    const IOobject& io,
+    const dimensionSet& found,
+    const dimensionSet& allowed
+)
+{
+    if (found != allowed)
+    {
+        FatalErrorInFunction
+            << "Keyword 'dimensions' of " << io.objectPath()
+            << " has the value " << found << nl
+            << "    allowed: " << allowed << exit(FatalError);
+    }
+}
+
+
 Foam::string Foam::dictionaryInput::listed(const wordList& names)
 {
     OStringStream os;

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The case grainBox: 0.1 m x 0.1 m of fluid between walls, with grains of one's own.
+
+    case = grain_box(clone, [(0.05, 0.02)], radius=0.004)
+    case.run("grainFoam")
+"""
+
+import re
+
+import numpy as np
+
+DEPTH = 0.01
+PATCHES = {"frontAndBack": "empty", "left": "wall", "right": "wall", "bottom": "wall", "top": "wall"}
+
+
+def grain_box(clone, centres=(), radius=0.004, mesh="quads", velocity=None, name=None):
+    """The case with grains at the given centres (n, 2) and its mesh of quads or triangles."""
+    case = clone("grainBox", name)
+    write_csv(case, centres, radius, velocity)
+    if mesh == "triangles":
+        mesh_triangles(case)
+    else:
+        case.run("blockMesh")
+    return case
+
+
+def write_csv(case, centres, radius, velocity=None):
+    """constant/grains.csv; radius is one number or one per grain, velocity (n, 2)."""
+    centres = np.asarray(centres, dtype=float).reshape(-1, 2)
+    n = len(centres)
+    velocity = np.zeros((n, 2)) if velocity is None else np.asarray(velocity).reshape(n, 2)
+    rows = np.column_stack([centres, np.full(n, DEPTH / 2), np.broadcast_to(radius, n), velocity])
+    lines = [",".join(repr(float(value)) for value in row) for row in rows]
+    (case.path / "constant/grains.csv").write_text("\n".join(["x,y,z,radius,vx,vy", *lines, ""]))
+
+
+def mesh_triangles(case):
+    """One layer of prisms of box.geo instead of the blocks."""
+    case.run("gmsh -3 -format msh2 box.geo")
+    case.run("gmshToFoam box.msh")
+    for patch, kind in PATCHES.items():
+        case.dict_set("constant/polyMesh/boundary", f"entry0/{patch}/type", kind)
+
+
+def replace(case, file, old, new):
+    """Replace a text that stands once in a file of the case."""
+    path = case.path / file
+    text = path.read_text()
+    assert text.count(old) == 1, f"'{old}' stands {text.count(old)} times in {file}"
+    path.write_text(text.replace(old, new))
+
+
+def control(case, **entries):
+    """Set entries of system/controlDict."""
+    path = case.path / "system/controlDict"
+    text = path.read_text()
+    for key, value in entries.items():
+        text, count = re.subn(rf"(?m)^({key}\s+)[^;]+;", rf"\g<1>{value};", text)
+        assert count == 1, key
+    path.write_text(text)
+
+
+def lattice(nx, ny, spacing, corner):
+    """Centres of a square lattice, the first at the corner, row by row."""
+    x, y = np.meshgrid(np.arange(nx), np.arange(ny))
+    return np.column_stack([x.ravel(), y.ravel()]) * spacing + np.asarray(corner)
+
+
+def ledger(case):
+    """Columns of the ledger, all starts of the run one after the other."""
+    folder = case.path / "postProcessing/ledger"
+    tables = [
+        case.table(start.relative_to(case.path) / "ledger.csv")
+        for start in sorted(folder.iterdir(), key=lambda path: float(path.name))
+    ]
+    return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+
+
+def tracks(case, start="0"):
+    """Lines of the function object's file, (steps * grains, 14)."""
+    file = case.path / "postProcessing/tracks" / start / "grains.csv"
+    return np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)

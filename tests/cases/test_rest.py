@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is in equilibrium stays at rest: grains of the fluid's density, in contact, in gravity."""
+
+import numpy as np
+import pytest
+from grain_box import grain_box, lattice, replace
+
+# Seven in a row fill the box from wall to wall
+RADIUS = 0.1 / 14
+PILE = lattice(7, 3, 2 * RADIUS, (RADIUS, RADIUS))
+
+
+def made_of(case, density):
+    replace(case, "constant/grainProperties", "density 2500", f"density {density}")
+
+
+@pytest.mark.parametrize("mesh", ["quads", "triangles"])
+def test_neutrally_buoyant_grains_stay_at_rest(clone, mesh):
+    """Grains that touch each other and the walls, and one that floats."""
+    start = [*PILE, (0.0713, 0.0617)]
+    case = grain_box(clone, start, RADIUS, mesh)
+    made_of(case, 1000)
+    case.run("grainFoam")
+    assert case.times == ["0", "0.05"]
+
+    # Round-off of g dt = 1e-2 m/s per step, over 50 steps
+    assert np.abs(case.field("U")).max() <= 1e-10
+    grains = case.grains()
+    assert np.abs(grains["velocity"]).max() <= 1e-10
+    np.testing.assert_allclose(grains["position"], start, rtol=0, atol=1e-12)
+    assert np.abs(case.logged("fastest grain ")).max() <= 1e-10
+
+
+@pytest.mark.parametrize("mesh", ["quads", "triangles"])
+def test_pile_of_heavy_grains_stays_at_rest(clone, mesh):
+    case = grain_box(clone, PILE, RADIUS, mesh)
+    made_of(case, 2500)
+    case.run("grainFoam")
+
+    # The fluid's first step takes the grains for falling; after it, the contact solver may leave
+    # each of 50 steps of 1 ms an error of its tolerance, 1e-7 m
+    first_fall = (1 - 1000 / 2500) * 9.81 * 1e-3**2
+    assert np.abs(case.grains()["position"] - PILE).max() <= first_fall + 50 * 1e-7
+    assert np.abs(case.grains()["velocity"]).max() <= 1e-7 / 1e-3

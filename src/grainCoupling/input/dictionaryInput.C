@@ -19,8 +19,30 @@ scalar readChecked
     const dimensionSet& dims
 )
 {
-    const scalar value = dimensionedScalar(keyword, dims, dict).value();
+    dict.lookup(keyword);
 
+    scalar value = 0;
+    string message;
+
+    // Wrong dimensions would end in abort() and a stack trace
+    const bool throwing = FatalIOError.throwExceptions();
+    try
+    {
+        value = dimensionedScalar(keyword, dims, dict).value();
+    }
+    catch (const IOerror& err)
+    {
+        message = err.message();
+    }
+    FatalIOError.throwExceptions(throwing);
+
+    if (!message.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "': " << message.c_str() << nl
+            << "    allowed: a number with the dimensions " << dims
+            << " or without any" << exit(FatalIOError);
+    }
     if (!std::isfinite(value))
     {
         dictionaryInput::badValue

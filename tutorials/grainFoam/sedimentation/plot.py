@@ -87,7 +87,9 @@ def row(case):
             100 * np.max(books["overfull"] / books["grainVolume"])
         ),
         "divergence of the mixture, max": f"{np.max(books['divergence']):.2g}",
-        "volume defect, sum of steps": f"{np.sum(books['volumeDefect']):.3f}",
+        "volume defect of a step, mean [%]": "{:.2g}".format(
+            100 * np.mean(books["volumeDefect"])
+        ),
         "mapping error, max": f"{np.max(books['mappingError']):.2g}",
         "momentum error, max": f"{np.max(books['momentumError']):.2g}",
         "worst overlap [d]": "{:.2g}".format(

@@ -63,14 +63,15 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 
     const grainChecks checks(properties_, dynamics_->grains());
     checks.requireLaws();
-    checks.requireInside();
     if (!restart)
     {
+        checks.requireInside();
         checks.requireNoOverlap();
     }
 
     fluidForce_.resize(dynamics_->grains().size(), Zero);
     map();
+    checkLost();
 }
 
 

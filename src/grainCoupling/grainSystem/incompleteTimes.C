@@ -60,8 +60,8 @@ void Foam::setAsideIncompleteTimes(const argList& args)
 
     for (const word& name : incomplete)
     {
-        Info<< "Time " << name << " was not written to its end; it is renamed"
-            << " to " << name << ".incomplete" << nl << endl;
+        Info<< "Time " << name << " is incomplete; it is renamed to "
+            << name << ".incomplete" << nl << endl;
 
         setAside(casePath/name);
         for (const fileName& dir : readDir(casePath, fileName::DIRECTORY))

@@ -19,7 +19,11 @@ scalar readChecked
     const dimensionSet& dims
 )
 {
-    dict.lookup(keyword);
+    OStringStream text;
+    for (const token& t : static_cast<const tokenList&>(dict.lookup(keyword)))
+    {
+        text<< t << ' ';
+    }
 
     scalar value = 0;
     string message;
@@ -39,7 +43,8 @@ scalar readChecked
     if (!message.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "': " << message.c_str() << nl
+            << "Keyword '" << keyword << "' has the value "
+            << text.str().c_str() << nl << "    " << message.c_str() << nl
             << "    allowed: a number with the dimensions " << dims
             << " or without any" << exit(FatalIOError);
     }

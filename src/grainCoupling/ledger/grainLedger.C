@@ -6,6 +6,7 @@
 #include "grainLedger.H"
 
 #include "fvc.H"
+#include "OSspecific.H"
 #include "PstreamReduceOps.H"
 
 Foam::grainLedger::grainLedger
@@ -125,8 +126,17 @@ void Foam::grainLedger::checkFinite
 
     if (returnReduce(bad, maxOp<label>()) >= 0)
     {
-        // Without the grains' state: no run continues from this time
-        const_cast<Time&>(mesh_.time()).writeNow();
+        // Without the grains' state and marked incomplete: no run continues
+        // from this time
+        const Time& runTime = mesh_.time();
+        const_cast<Time&>(runTime).writeNow();
+        if (Pstream::master())
+        {
+            const fileName dir(runTime.globalPath()/runTime.timeName());
+            mkDir(dir);
+            OFstream(dir/"grains.h5.notFinite")()
+                << "The fluid's solution is not finite" << endl;
+        }
 
         if (bad >= 0)
         {

@@ -11,7 +11,7 @@ import re
 import numpy as np
 
 DEPTH = 0.01
-PATCHES = {"frontAndBack": "empty", "left": "wall", "right": "wall", "bottom": "wall", "top": "wall"}
+PATCHES = {"frontAndBack": "empty"} | dict.fromkeys(["left", "right", "bottom", "top"], "wall")
 
 
 def grain_box(clone, centres=(), radius=0.004, mesh="quads", velocity=None, name=None):

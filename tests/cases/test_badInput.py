@@ -1,0 +1,258 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input stops before the first time step and names file, keyword and what is allowed."""
+
+import pytest
+from grain_box import grain_box, replace
+
+GRAINS = "constant/grainProperties"
+FLUID = "constant/transportProperties"
+CSV = "constant/grains.csv"
+CONTROL = "system/controlDict"
+BLOCKS = "system/blockMeshDict"
+HEADER = "x,y,z,radius"
+GOOD = "0.03,0.03,0.005,0.004"
+
+
+def swap(file, old, new):
+    """Replace a text in a file."""
+    return lambda case: replace(case, file, old, new)
+
+
+def drop(file, text):
+    return swap(file, text, "")
+
+
+def csv(*lines):
+    """Other grains."""
+    return lambda case: (case.path / CSV).write_text("".join(line + "\n" for line in lines))
+
+
+def remove(file):
+    return lambda case: (case.path / file).unlink()
+
+
+def meshed(*spoils):
+    """Several changes, then a new mesh."""
+
+    def spoil(case):
+        for one in spoils:
+            one(case)
+        case.run("blockMesh")
+
+    return spoil
+
+
+def both(*spoils):
+    return lambda case: [one(case) for one in spoils]
+
+
+def damaged_state(case):
+    """grains.h5 of the start time cut in the middle."""
+    replace(case, CONTROL, "endTime         0.05", "endTime         0.001")
+    replace(case, CONTROL, "writeInterval   50", "writeInterval   1")
+    case.run("grainFoam")
+    state = case.path / "0.001/grains.h5"
+    state.write_bytes(state.read_bytes()[: state.stat().st_size // 2])
+    replace(case, CONTROL, "endTime         0.001", "endTime         0.002")
+
+
+# In a box without empty patches, U and p_rgh need other conditions
+NO_EMPTY = both(swap("0/U", "empty", "slip"), swap("0/p_rgh", "empty", "zeroGradient"))
+
+METHODS = ["centroid", "exactOverlap"]
+COLUMNS = ["x y z radius"]
+
+# name, how the good case is spoilt, what the message holds
+TABLE = [
+    ("noShape", swap(GRAINS, "shape   disc;\n\nm", "m"), [GRAINS, "'shape'"]),
+    (
+        "shape",
+        swap(GRAINS, "\nshape   disc", "\nshape   cube"),
+        [GRAINS, "'shape'", "cube", "disc"],
+    ),
+    ("noMaterials", swap(GRAINS, "\nmaterials\n", "\nmaterial\n"), [GRAINS, "'materials'"]),
+    ("noDensity", drop(GRAINS, "density 2500;"), [GRAINS, "glass", "'density'"]),
+    ("noFriction", drop(GRAINS, "friction    0.3;"), [GRAINS, "glassOnGlass", "'friction'"]),
+    ("noWalls", swap(GRAINS, "\nwalls\n", "\nwall\n"), [GRAINS, "'walls'"]),
+    ("noInitialGrains", swap(GRAINS, "\ninitialGrains", "\ngrains"), [GRAINS, "initialGrains"]),
+    ("noFile", drop(GRAINS, 'file        "constant/grains.csv";'), [GRAINS, "'file'"]),
+    ("noContact", swap(GRAINS, "\ncontact\n", "\ncontacts\n"), [GRAINS, "'contact'"]),
+    ("noTolerance", drop(GRAINS, "tolerance   1e-7;"), [GRAINS, "contact", "'tolerance'"]),
+    ("noCoupling", swap(GRAINS, "\ncoupling\n", "\ncouplings\n"), [GRAINS, "'coupling'"]),
+    ("noDragShape", drop(GRAINS, "        shape   disc;\n"), [GRAINS, "drag", "'shape'"]),
+    ("noGrainProperties", remove(GRAINS), [GRAINS]),
+    (
+        "voidFraction",
+        swap(GRAINS, "exactOverlap", "exactOverlaps"),
+        [GRAINS, "'type'", "exactOverlaps", *METHODS],
+    ),
+    (
+        "dragLaw",
+        swap(GRAINS, "DallavalleDiFelice", "Stokes"),
+        [GRAINS, "'type'", "Stokes", "DallavalleDiFelice"],
+    ),
+    (
+        "contactLaw",
+        swap(GRAINS, "Coulomb;\n        friction    0.2", "Hertz;\n        friction    0.2"),
+        [GRAINS, "'type'", "Hertz", "Coulomb"],
+    ),
+    (
+        "source",
+        swap(GRAINS, "csv;", "spreadsheet;"),
+        [GRAINS, "'type'", "spreadsheet", "csv"],
+    ),
+    ("negativeRadius", csv(HEADER, "0,0,0,-0.004"), [CSV, "line 2", "'radius'", "-0.004", "> 0"]),
+    ("zeroRadius", csv(HEADER, GOOD, "0,0,0,0"), [CSV, "line 3", "'radius'", "> 0"]),
+    ("nan", csv(HEADER, "0.03,nan,0,0.004"), [CSV, "line 2", "'y'", "nan", "finite number"]),
+    ("text", csv(HEADER, "0.03,0.03,0,4mm"), [CSV, "line 2", "'radius'", "4mm", "finite number"]),
+    ("missingColumn", csv("x,y,radius", "0,0,1"), [CSV, "'z'", "missing", *COLUMNS]),
+    ("unknownColumn", csv("x,y,z,diameter", GOOD), [CSV, "'diameter'", *COLUMNS, "vx"]),
+    ("doubleColumn", csv("x,y,z,x,radius", "0,0,0,0,1"), [CSV, "'x'", "twice", "once"]),
+    ("shortLine", csv(HEADER, GOOD, "0.03,0.03"), [CSV, "line 3", "2 columns", "4"]),
+    ("longLine", csv(HEADER, GOOD + ",1"), [CSV, "line 2", "5 columns", "4"]),
+    ("noCsv", remove(CSV), [GRAINS, "'file'", CSV, "readable", *COLUMNS]),
+    ("emptyCsv", csv(), [GRAINS, "'file'", CSV, "header", *COLUMNS]),
+    (
+        "unknownGrainMaterial",
+        csv(HEADER + ",material", GOOD + ",gold"),
+        [CSV, "'material'", "gold", "glass steel"],
+    ),
+    (
+        "overlap",
+        csv(HEADER, GOOD, "0.037,0.03,0.005,0.004"),
+        [GRAINS, "'initialGrains'", "grain 0", "grain 1", "overlap", "allowedOverlap"],
+    ),
+    (
+        "overlapWithWall",
+        csv(HEADER, GOOD, "0.003,0.03,0.005,0.004"),
+        [GRAINS, "'initialGrains'", "grain 1", "wall", "allowedOverlap"],
+    ),
+    (
+        "outside",
+        csv(HEADER, GOOD, "0.13,0.03,0.005,0.004"),
+        [GRAINS, "'initialGrains'", "grain 1", "outside the mesh", "(0.1 0.1 0.01)"],
+    ),
+    (
+        "velocityAcross",
+        csv(HEADER + ",vz", GOOD + ",0.1"),
+        [CSV, "line 2", "vz", "no velocity across"],
+    ),
+    (
+        "spinInPlane",
+        csv(HEADER + ",wx", GOOD + ",0.1"),
+        [CSV, "line 2", "wx", "normal of the mesh"],
+    ),
+    ("dimensionsOfRho", swap(FLUID, "[1 -3 0", "[1 -2 0"), [FLUID, "rho", "[1 -3 0 0 0 0 0]"]),
+    ("dimensionsOfNu", swap(FLUID, "[0 2 -1", "[0 2 -2"), [FLUID, "nu", "[0 2 -1 0 0 0 0]"]),
+    ("dimensionsOfG", swap("constant/g", "-2 0", "-1 0"), ["constant/g", "[0 1 -2 0 0 0 0]"]),
+    (
+        "dimensionsOfDensity",
+        swap(GRAINS, "density 2500", "density [1 -2 0 0 0 0 0] 2500"),
+        [GRAINS, "density", "[1 -3 0 0 0 0 0]"],
+    ),
+    ("textForDensity", swap(GRAINS, "2500", "heavy"), [GRAINS, "'density'", "heavy", "a number"]),
+    ("dimensionsOfU", swap("0/U", "[0 1 -1", "[0 1 -2"), ["0/U", "[0 1 -1 0 0 0 0]"]),
+    ("dimensionsOfP", swap("0/p_rgh", "[1 -1", "[0 -1"), ["0/p_rgh", "[1 -1 -2 0 0 0 0]"]),
+    ("negativeDensity", swap(GRAINS, "2500", "-2500"), [GRAINS, "'density'", "-2500", "> 0"]),
+    ("negativeRho", swap(FLUID, "0] 1000", "0] -1000"), [FLUID, "'rho'", "-1000", "> 0"]),
+    ("negativeNu", swap(FLUID, "1e-4", "-1e-4"), [FLUID, "'nu'", "-0.0001", "> 0"]),
+    ("noNu", swap(FLUID, "nu ", "mu "), [FLUID, "'nu'"]),
+    ("negativeFriction", swap(GRAINS, "0.3;", "-0.3;"), [GRAINS, "'friction'", "-0.3", ">= 0"]),
+    ("zeroTolerance", swap(GRAINS, "1e-7", "0"), [GRAINS, "'tolerance'", "> 0"]),
+    ("zeroDeltaT", swap(CONTROL, "1e-3", "0"), [CONTROL, "'deltaT'", "> 0"]),
+    ("negativeDeltaT", swap(CONTROL, "1e-3", "-1e-3"), [CONTROL, "'deltaT'", "> 0"]),
+    ("maxSweeps", swap(GRAINS, "200", "0"), [GRAINS, "'maxSweeps'", "value 0", ">= 1"]),
+    (
+        "blocks",
+        swap(GRAINS, "maxSweeps   200;", "blocks 3;"),
+        [GRAINS, "'blocks'", "value 3", "power of two"],
+    ),
+    (
+        "mesh3D",
+        meshed(NO_EMPTY, swap(BLOCKS, "empty", "patch")),
+        ["mesh", "3 directions", "shape disc", "one cell thick", "'empty'"],
+    ),
+    (
+        "twoCellsThick",
+        meshed(swap(BLOCKS, "(10 10 1)", "(10 10 2)")),
+        ["mesh", "Cell 0", "two 'empty' faces", "one layer of cells"],
+    ),
+    (
+        "unknownPatch",
+        swap(GRAINS, "bottom top)", "bottom lid)"),
+        [GRAINS, "'patches'", "lid", "left right bottom top"],
+    ),
+    (
+        "emptyPatch",
+        swap(GRAINS, "bottom top)", "bottom frontAndBack)"),
+        [GRAINS, "'patches'", "frontAndBack", "'empty'"],
+    ),
+    (
+        "wallType",
+        swap(GRAINS, "type        patches", "type        plane"),
+        [GRAINS, "'type'", "plane", "patches, surface"],
+    ),
+    (
+        "noLaw",
+        swap(GRAINS, "(glass steel)", "(steel steel)"),
+        [GRAINS, "'contactLaws'", "glass and steel", "materials (glass steel)"],
+    ),
+    (
+        "unknownMaterial",
+        swap(GRAINS, "material    glass", "material    glas"),
+        [GRAINS, "'material'", "glas", "glass steel"],
+    ),
+    (
+        "unknownMaterialOfLaw",
+        swap(GRAINS, "(glass glass)", "(glass gold)"),
+        [GRAINS, "'materials'", "gold", "glass steel"],
+    ),
+    ("typo", swap(GRAINS, "shape   disc;\n\n", "shape disc;\nshpae disc;\n"), [GRAINS, "'shpae'"]),
+    ("typoInMaterial", swap(GRAINS, "2500;", "2500; colour 1;"), ["glass", "'colour'", "density"]),
+    ("typoInLaw", swap(GRAINS, "0.3;", "0.3; mu 1;"), ["glassOnGlass", "'mu'", "friction"]),
+    ("typoInWall", swap(GRAINS, "type        patches;", "type patches; x 1;"), ["box", "'x'"]),
+    ("typoInSource", swap(GRAINS, "csv;", "csv; x 1;"), ["initialGrains", "'x'", "file"]),
+    ("typoInContact", swap(GRAINS, "200;", "200; x 1;"), ["contact", "'x'", "maxSweeps"]),
+    ("typoInCoupling", swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ x 1;"), ["coupling", "'x'"]),
+    (
+        "typoInVoidFraction",
+        swap(GRAINS, "exactOverlap;", "exactOverlap; x 1;"),
+        ["voidFraction", "'x'", "allowed"],
+    ),
+    ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
+    (
+        "gravityAcross",
+        swap("constant/g", "(0 -9.81 0)", "(0 -9.81 1)"),
+        ["constant/g", "'value'", "(0 -9.81 1)", "in the plane"],
+    ),
+    ("damagedState", damaged_state, ["0.001/grains.h5", "cannot be opened"]),
+    ("noU", remove("0/U"), ["0/U"]),
+    ("noG", remove("constant/g"), ["constant/g"]),
+    ("noPatchOfU", swap("0/U", '"left|right|bottom|top"', '"left|right|top"'), ["0/U", "bottom"]),
+    (
+        "trackedGrain",
+        swap(CONTROL, "grainTracks;", "grainTracks;\n        grains (0 7);"),
+        [CONTROL, "'grains'", "7", "ids of grains"],
+    ),
+]
+
+
+@pytest.mark.parametrize("spoil, fragments", [row[1:] for row in TABLE], ids=[r[0] for r in TABLE])
+def test_bad_input_is_refused(clone, spoil, fragments):
+    case = grain_box(clone, [(0.03, 0.03), (0.06, 0.05)])
+    spoil(case)
+    before = case.times
+    assert case.run("grainFoam", check=False, timeout=60) == 1
+    log = case.log
+    for fragment in fragments:
+        assert fragment in log, f"no '{fragment}' in\n{log[log.find('-->') :]}"
+    assert "\nTime = " not in log
+    assert case.times == before
+    assert "printStack" not in log and "sigFpe" not in log
+
+
+def test_good_input_is_accepted(clone):
+    case = grain_box(clone, [(0.03, 0.03), (0.06, 0.05)])
+    case.run("grainFoam")
+    assert case.times == ["0", "0.05"]

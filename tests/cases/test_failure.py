@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run that goes wrong stops with the reason and leaves what is needed to continue."""
+
+import numpy as np
+from grain_box import control, grain_box, replace
+
+
+def assert_stopped(case, *fragments):
+    assert case.run("grainFoam", check=False, timeout=60) == 1
+    for fragment in fragments:
+        assert fragment in case.log, case.log[-3000:]
+    assert "printStack" not in case.log
+    assert "sigFpe" not in case.log
+
+
+def test_grain_lost_through_a_gap_in_the_walls(clone):
+    case = grain_box(clone, [(0.05, 0.03), (0.03, 0.07)])
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(left right top)")
+    control(case, endTime=2, writeInterval=20)
+    assert_stopped(case, "Grain 0", "has left the mesh", "gap in the walls")
+
+    # The last complete time can be read and continued
+    last = case.times[-1]
+    grains = case.grains(last)
+    assert np.isfinite(grains["position"]).all()
+    assert np.isfinite(case.field("U", last)).all()
+    assert grains["position"][0, 1] > -0.004
+    control(case, endTime=float(last) + 1e-3)
+    case.run("grainFoam")
+    assert f"/{last}/grains.h5" in case.log
+
+
+def test_fluid_that_blows_up(clone):
+    """Continued with a lid so fast that its square is beyond all numbers."""
+    case = grain_box(clone, [(0.05, 0.03)])
+    control(case, endTime=0.01, writeInterval=10, writeFormat="ascii")
+    case.run("grainFoam")
+    case.dict_set("0.01/U", "boundaryField/top", "{ type fixedValue; value uniform (1e200 0 0); }")
+    control(case, endTime=0.1, writeInterval=20)
+    assert_stopped(case, "solution is not finite at time", "Courant number", "last complete time")
+
+    # The fields are there for a look, the grains are not: no run continues from here
+    last = case.times[-1]
+    assert float(last) > 0.01
+    assert f"not finite at time {last}" in case.log
+    assert (case.path / last / "U").exists()
+    assert not (case.path / last / "grains.h5").exists()
+
+    case.dict_set("0.01/U", "boundaryField/top", "{ type noSlip; }")
+    control(case, endTime=0.02)
+    case.run("grainFoam")
+    assert f"Time {last} is incomplete" in case.log
+    assert "/0.01/grains.h5" in case.log
+    assert case.times[-1] == "0.02"

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs on several ranks are runs on one rank; what post-processing needs is written."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, lattice, ledger, replace, tracks
+
+pytestmark = pytest.mark.parallel
+
+TOLERANCE = 1e-7
+RADIUS = 0.01 / 6
+
+
+def settling_pile(clone, cells, name):
+    """Loose grains that fall onto each other, over the whole width of the box."""
+    rng = np.random.default_rng(2)
+    centres = lattice(28, 11, 0.0034, (0.003, 0.0018)) + rng.uniform(-2e-5, 2e-5, (308, 2))
+    case = grain_box(clone, centres, RADIUS, name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    case.run("blockMesh")
+    control(case, endTime=0.1, writeInterval=50)
+    return case
+
+
+def decompose(case, ranks):
+    replace(case, "system/decomposeParDict", "numberOfSubdomains 2", f"numberOfSubdomains {ranks}")
+    replace(case, "system/decomposeParDict", "(2 1 1)", f"(2 {ranks // 2} 1)")
+    case.run("decomposePar")
+
+
+# Cell size over diameter 3 and 1/2
+@pytest.fixture(params=[10, 60], ids=["coarse", "fine"])
+def serial(clone, request):
+    case = settling_pile(clone, request.param, "serial")
+    case.run("grainFoam")
+    case.cells = request.param
+    return case
+
+
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_ranks_agree(clone, serial, ranks):
+    case = settling_pile(clone, serial.cells, "parallel")
+    decompose(case, ranks)
+    case.parallel("grainFoam", ranks)
+
+    one, many = serial.grains("0.1"), case.grains("0.1")
+    np.testing.assert_array_equal(one["id"], many["id"])
+    assert ledger(serial)["active"].max() > 200
+    # What contacts leave uncertain in a step
+    assert np.abs(one["position"] - many["position"]).max() <= TOLERANCE
+
+    book = ledger(case)
+    assert len(book["time"]) == 100
+    assert book["mappingError"].max() <= 1e-12
+    assert book["momentumError"].max() <= 1e-10
+    assert tracks(case).shape == tracks(serial).shape
+    np.testing.assert_allclose(tracks(case)[:, 2:4], tracks(serial)[:, 2:4], atol=TOLERANCE)
+
+
+def vtk_points(case):
+    """Number of points of each file of the cloud that foamToVTK wrote."""
+    files = sorted((case.path / "VTK").rglob("lagrangian/**/*.vtp"))
+    assert files
+    return [int(f.read_bytes().split(b"NumberOfPoints=")[1].split(b"'")[1]) for f in files]
+
+
+def test_two_ranks_continue_on_one(clone):
+    whole, parts = (settling_pile(clone, 10, name) for name in ("whole", "parts"))
+    whole.run("grainFoam")
+    whole.run("foamToVTK -latestTime")
+    assert vtk_points(whole) == [308]
+
+    control(parts, endTime=0.05)
+    decompose(parts, 2)
+    parts.parallel("grainFoam", 2)
+    parts.run("reconstructPar")
+    parts.run("foamToVTK -latestTime")
+    assert vtk_points(parts) == [308]
+
+    control(parts, endTime=0.1)
+    parts.run("grainFoam")
+    assert "Grains continue from" in parts.log
+    difference = whole.grains("0.1")["position"] - parts.grains("0.1")["position"]
+    assert np.abs(difference).max() <= TOLERANCE

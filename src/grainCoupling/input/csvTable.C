@@ -6,6 +6,7 @@
 #include "csvTable.H"
 
 #include "dictionaryInput.H"
+#include "sigFpe.H"
 
 #include <cstdlib>
 #include <fstream>
@@ -162,6 +163,9 @@ Foam::scalar Foam::csvTable::number
     }
     const std::string& s = text(column, row);
     char* end = nullptr;
+
+    // A number too large for a double would trap
+    const sigFpe::ignore ignoreFpe;
     const scalar value = std::strtod(s.c_str(), &end);
 
     if (s.empty() || *end || !std::isfinite(value))

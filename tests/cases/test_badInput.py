@@ -106,6 +106,7 @@ TABLE = [
     ("zeroRadius", csv(HEADER, GOOD, "0,0,0,0"), [CSV, "line 3", "'radius'", "> 0"]),
     ("nan", csv(HEADER, "0.03,nan,0,0.004"), [CSV, "line 2", "'y'", "nan", "finite number"]),
     ("text", csv(HEADER, "0.03,0.03,0,4mm"), [CSV, "line 2", "'radius'", "4mm", "finite number"]),
+    ("tooLarge", csv(HEADER, "1e999,0,0,0.004"), [CSV, "line 2", "'x'", "1e999", "finite number"]),
     ("missingColumn", csv("x,y,radius", "0,0,1"), [CSV, "'z'", "missing", *COLUMNS]),
     ("unknownColumn", csv("x,y,z,diameter", GOOD), [CSV, "'diameter'", *COLUMNS, "vx"]),
     ("doubleColumn", csv("x,y,z,x,radius", "0,0,0,0,1"), [CSV, "'x'", "twice", "once"]),

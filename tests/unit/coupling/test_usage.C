@@ -1,0 +1,121 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "foamTest.H"
+
+#include "dragLaw.H"
+#include "grainMaterials.H"
+#include "planarMesh.H"
+#include "voidFractionMethod.H"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace Foam;
+
+namespace
+{
+
+// Examples of the headers below src: the \verbatim block that follows a line "Usage"
+std::map<std::string, std::string> examples()
+{
+    std::map<std::string, std::string> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(GRAINFOAM_SRC))
+    {
+        const std::filesystem::path& path = entry.path();
+        if (path.extension() != ".H" || path.parent_path().filename() == "lnInclude")
+        {
+            continue;
+        }
+        std::stringstream text;
+        text << std::ifstream(path).rdbuf();
+        const std::string header = text.str();
+
+        const auto usage = header.find("\nUsage\n");
+        const auto begin = header.find("\\verbatim\n", usage);
+        const auto end = header.find("\\endverbatim", begin);
+        if (usage != std::string::npos && end != std::string::npos)
+        {
+            found[path.stem()] = header.substr(begin + 10, end - begin - 10);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> namesOfExamples()
+{
+    std::vector<std::string> names;
+    for (const auto& example : examples())
+    {
+        names.push_back(example.first);
+    }
+    return names;
+}
+
+dictionary example(const std::string& header)
+{
+    return foamTest::dict(examples().at(header));
+}
+
+class Usage
+:
+    public ::testing::TestWithParam<std::string>
+{};
+
+INSTANTIATE_TEST_SUITE_P
+(
+    Of, Usage, ::testing::ValuesIn(namesOfExamples()),
+    [](const auto& info) { return info.param; }
+);
+
+}
+
+
+TEST_P(Usage, IsADictionary)
+{
+    // Sub-dictionaries only, and no entry that lost its semicolon
+    const dictionary dict(example(GetParam()));
+    EXPECT_FALSE(dict.empty());
+    for (const word& keyword : dict.toc())
+    {
+        ASSERT_TRUE(dict.isDict(keyword)) << keyword;
+        for (const word& entry : dict.subDict(keyword).sortedToc())
+        {
+            const dictionary& sub = dict.subDict(keyword);
+            EXPECT_TRUE(sub.isDict(entry) || sub.lookup(entry).size()) << entry;
+        }
+    }
+}
+
+
+TEST(UsageOfHeaders, IsThereForWhatIsSelectable)
+{
+    const auto found = examples();
+    for (const char* name : {"Coulomb", "DallavalleDiFelice", "centroid", "csvGrains",
+        "exactOverlap", "grainMaterials", "grainTracks", "grainWalls"})
+    {
+        EXPECT_TRUE(found.count(name)) << name;
+    }
+}
+
+
+TEST(UsageOfHeaders, IsAcceptedByTheClasses)
+{
+    EXPECT_NO_THROW(dragLaw::New(example("DallavalleDiFelice").subDict("drag")));
+
+    foamTest::planarCase planar(2, 2);
+    const planarMesh plane(planar.mesh());
+    for (const char* name : {"centroid", "exactOverlap"})
+    {
+        EXPECT_NO_THROW(voidFractionMethod::New(example(name).subDict("voidFraction"), plane));
+    }
+
+    const dictionary dict(example("grainMaterials"));
+    const grainMaterials materials(dict);
+    EXPECT_EQ(materials.names(), wordList({"glass", "steel"}));
+    EXPECT_EQ(materials.density(1), 7800);
+    EXPECT_EQ(materials.contactTable()(0, 1).friction, 0.2);
+}

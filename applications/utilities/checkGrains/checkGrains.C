@@ -94,5 +94,10 @@ int main(int argc, char *argv[])
     Info<< nl << (good ? "Grains OK." : "Failed: see above.") << nl
         << nl << "End" << nl << endl;
 
-    return good ? 0 : 1;
+    if (!good)
+    {
+        // argList's destructor would return 0
+        Pstream::exit(1);
+    }
+    return 0;
 }

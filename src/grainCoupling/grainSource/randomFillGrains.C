@@ -29,6 +29,7 @@ Foam::grainSources::randomFill::randomFill
 )
 :
     grainSource(ctx),
+    dict_(dict),
     box_(box(dict)),
     number_(dictionaryInput::getLabel(dict, "number", 0)),
     minRadius_(dictionaryInput::getPositive(dict, "minRadius", dimLength)),
@@ -54,8 +55,21 @@ nscd::Grains<2> Foam::grainSources::randomFill::read() const
     {
         radii.push_back(random.uniform(minRadius_, maxRadius_));
     }
-    return grains
-    (
-        nscd::randomFill<2>(box_, radii, seed_), radii, material_
-    );
+    try
+    {
+        return grains
+        (
+            nscd::randomFill<2>(box_, radii, seed_), radii, material_
+        );
+    }
+    catch (const std::exception& err)
+    {
+        dictionaryInput::badValue
+        (
+            dict_, "number", Foam::name(number_),
+            "as many grains as find room in the box; "
+          + string(err.what())
+        );
+    }
+    return nscd::Grains<2>();
 }

@@ -102,7 +102,8 @@ int ContactDynamics<D>::Implementation::countSubSteps(const Vectors<D>& force, c
 {
     const double farthest = dt * freeMotion(force, torque, dt).largestSpeed;
     const double subSteps = std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_));
-    if (subSteps > std::numeric_limits<int>::max())
+    constexpr double maxSubSteps = 10000;   // a run that has blown up must stop, not hang
+    if (!(subSteps <= maxSubSteps))
     {
         throw std::runtime_error("a grain would move by " + std::to_string(farthest) + " m in a step of " +
                                  std::to_string(dt) + " s: too far for sub-steps");

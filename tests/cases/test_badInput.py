@@ -163,6 +163,11 @@ TABLE = [
     ("zeroTolerance", swap(GRAINS, "1e-7", "0"), [GRAINS, "'tolerance'", "> 0"]),
     ("zeroDeltaT", swap(CONTROL, "1e-3", "0"), [CONTROL, "'deltaT'", "> 0"]),
     ("negativeDeltaT", swap(CONTROL, "1e-3", "-1e-3"), [CONTROL, "'deltaT'", "> 0"]),
+    (
+        "adjustTimeStep",
+        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes;"),
+        [CONTROL, "'adjustTimeStep'", "value yes", "no"],
+    ),
     ("maxSweeps", swap(GRAINS, "200", "0"), [GRAINS, "'maxSweeps'", "value 0", ">= 1"]),
     (
         "blocks",

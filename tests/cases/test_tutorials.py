@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every tutorial runs a few steps and draws its pictures, so that none rots."""
+
+import csv
+import shutil
+import subprocess
+
+import pytest
+from conftest import ROOT
+
+TUTORIALS = sorted(path.parent for path in ROOT.glob("tutorials/*/*/Allrun"))
+
+
+@pytest.fixture
+def tutorial(tmp_path, request):
+    """A copy of the tutorials, one of which has been run with -test."""
+    shutil.copytree(
+        ROOT / "tutorials",
+        tmp_path / "tutorials",
+        ignore=shutil.ignore_patterns("exactOverlap", "centroid", "snapshots", "log.*"),
+    )
+    path = tmp_path / request.param.relative_to(ROOT)
+    done = subprocess.run(["./Allrun", "-test"], cwd=path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return path
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS, ids=lambda path: path.name, indirect=True)
+def test_allrunDrawsPictures(tutorial):
+    pictures = list(tutorial.glob("snapshots/*.png"))
+    assert pictures
+    assert all(picture.stat().st_size > 10_000 for picture in pictures)
+
+
+@pytest.mark.parametrize(
+    "tutorial", [ROOT / "tutorials/grainFoam/sedimentation"], ids=lambda p: p.name, indirect=True
+)
+def test_sedimentationTableTellsTheMethodsApart(tutorial):
+    with open(tutorial / "volumeDefects.csv") as file:
+        rows = {row["method"]: row for row in csv.DictReader(file)}
+
+    exact, centroid = rows["exactOverlap"], rows["centroid"]
+    # Round-off of sums over a grain's cells and over all grains
+    assert float(exact["mapping error, max"]) <= 1e-12
+    assert float(exact["momentum error, max"]) <= 1e-10
+    # The linear solver's tolerance, and nothing is clipped
+    assert float(exact["divergence of the mixture, max"]) <= 1e-9
+    assert float(exact["volume without room [% of grains]"]) == 0
+    # A cell three diameters wide holds 9 to 12 centres of a packing of 0.91
+    assert float(centroid["volume without room [% of grains]"]) > 1

@@ -16,14 +16,14 @@ def settled(clone, request):
     centres = lattice(5, 4, 0.012, (0.02, 0.02)) + rng.uniform(-1e-3, 1e-3, (20, 2))
     case = grain_box(clone, centres, RADIUS, request.param)
     replace(case, "system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 2")
-    control(case, endTime=0.2, writeInterval=200)
+    control(case, endTime=0.3, writeInterval=300)
     case.run("grainFoam")
     return case
 
 
 def test_volume_and_momentum_are_conserved(settled):
     book = ledger(settled)
-    assert len(book["time"]) == 200
+    assert len(book["time"]) == 300
     assert book["active"].max() >= 10
 
     # Overlaps add up to the grain, to round-off; the table has 12 digits

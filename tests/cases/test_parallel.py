@@ -17,6 +17,8 @@ def settling_pile(clone, cells, name):
     rng = np.random.default_rng(2)
     centres = lattice(28, 11, 0.0034, (0.003, 0.0018)) + rng.uniform(-2e-5, 2e-5, (308, 2))
     case = grain_box(clone, centres, RADIUS, name=name)
+    # Heavy enough to fall through what they displace within 0.1 s
+    replace(case, "constant/grainProperties", "density 2500", "density 7800")
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
     case.run("blockMesh")
     control(case, endTime=0.1, writeInterval=50)

@@ -58,7 +58,7 @@ int main(int argc, char *argv[])
 
         #include "UEqn.H"
 
-        volVectorField gradP("gradP", fvc::reconstruct(pressureFlux));
+        volVectorField gradP("gradP", pressureForce/alpha);
 
         while (piso.correct())
         {

@@ -150,6 +150,8 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
     }
 
     kappa_.correctBoundaryConditions();
+    beta_.correctBoundaryConditions();
+    b_.correctBoundaryConditions();
     G_.correctBoundaryConditions();
     K_.correctBoundaryConditions();
 }

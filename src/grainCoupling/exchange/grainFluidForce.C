@@ -5,6 +5,8 @@
 
 #include "grainFluidExchange.H"
 
+#include "fvcGrad.H"
+
 void Foam::grainFluidExchange::moveGrains
 (
     const volVectorField& U,
@@ -14,6 +16,10 @@ void Foam::grainFluidExchange::moveGrains
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalar rho = rho_.value();
+
+    // For the torque, the fluid's velocity where the overlap is: a grain that
+    // straddles two cells would take their difference for a spin
+    const volTensorField gradU(fvc::grad(U));
 
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
@@ -40,8 +46,17 @@ void Foam::grainFluidExchange::moveGrains
                    *(U[celli] - vo_[k] + deltaT/rhop*gradP[celli])
                 )
             );
+            const vector fromCentre
+            (
+                grains_.centres()[graini] + overlaps.arm[k]
+              - mesh_.C()[celli]
+            );
+            const vector shear
+            (
+                overlaps.volume[k]*gamma_[k]*a_[k]*(fromCentre & gradU[celli])
+            );
             force[graini] += f;
-            torque[graini] += overlaps.arm[k] ^ f;
+            torque[graini] += overlaps.arm[k] ^ (f + shear);
             phi[celli] += overlaps.volume[k]/mesh_.V()[celli];
         }
     }

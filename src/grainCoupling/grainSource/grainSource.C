@@ -39,6 +39,24 @@ void Foam::grainSource::checkKeywords(const dictionary& dict, wordList own)
 }
 
 
+void Foam::grainSource::requireSome
+(
+    const dictionary& dict,
+    const scalar radius,
+    const nscd::Vectors<2>& centres
+)
+{
+    if (centres.empty())
+    {
+        dictionaryInput::badValue
+        (
+            dict, "radius", Foam::name(radius),
+            "a radius with which at least one grain fits into 'box'"
+        );
+    }
+}
+
+
 nscd::Box<2> Foam::grainSource::box(const dictionary& dict) const
 {
     ITstream& is = dict.lookup("box");

@@ -37,6 +37,7 @@ Foam::grainSources::hexagonal::hexagonal
         dictionaryInput::getScalarOrDefault(dict, "gap", dimLength, 0, 0);
 
     centres_ = nscd::hexagonal<2>(box(dict), radius_, gap);
+    requireSome(dict, radius_, centres_);
 }
 
 

@@ -38,6 +38,7 @@ Foam::grainSources::lattice::lattice
         dict, "spacing", dimLength, 2*radius_, 2*radius_
     );
     centres_ = nscd::lattice<2>(box(dict), radius_, spacing);
+    requireSome(dict, radius_, centres_);
 }
 
 

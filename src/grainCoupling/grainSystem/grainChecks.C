@@ -5,6 +5,7 @@
 
 #include "grainChecks.H"
 
+#include "mathematicalConstants.H"
 #include "OStringStream.H"
 #include "Pstream.H"
 
@@ -128,6 +129,33 @@ std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
         }
     }
     return result;
+}
+
+
+void Foam::grainChecks::requireMasses() const
+{
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        const label m = grains_.material[i];
+        const scalar mass =
+            properties_.materials().density(m)*properties_.packingRatio()
+           *constant::mathematical::pi*sqr(grains_.radius[i])
+           *properties_.plane().depth();
+
+        // A mesh's depth is written with a finite number of digits
+        if (mag(grains_.mass[i] - mass) > 1e-6*mass)
+        {
+            FatalIOErrorInFunction(properties_.dict())
+                << "Keyword 'density' of material "
+                << properties_.materials().names()[m] << ": "
+                << describe(label(i)).c_str() << " has the mass "
+                << grains_.mass[i] << " kg in the state that is continued, "
+                << mass << " kg by this dictionary" << nl
+                << "    allowed: materials in the order, with the density and"
+                << " the packingRatio that the state was written with"
+                << exit(FatalIOError);
+        }
+    }
 }
 
 

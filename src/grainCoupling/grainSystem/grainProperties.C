@@ -5,6 +5,7 @@
 
 #include "grainProperties.H"
 
+#include "cyclicPolyPatch.H"
 #include "dictionaryInput.H"
 #include "grainWalls.H"
 
@@ -67,6 +68,17 @@ void Foam::grainProperties::check() const
     (
         coupling(), {"packingRatio", "voidFraction", "drag"}
     );
+
+    for (const polyPatch& patch : plane_.mesh().boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(patch))
+        {
+            WarningInFunction
+                << "Grains do not pass through the cyclic patch "
+                << patch.name() << ": one that reaches it leaves the mesh"
+                << endl;
+        }
+    }
 
     const word shape(dict_.get<word>("shape"));
     if (shape != "disc")

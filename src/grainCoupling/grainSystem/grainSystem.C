@@ -53,6 +53,13 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
             dynamics_->load(stateFile());
             Info<< "Grains continue from " << stateFile() << endl;
         }
+        else if (mesh.time().value() > 0)
+        {
+            WarningInFunction
+                << "There is no " << stateFile() << ": the initial grains of "
+                << properties_.dict().name() << " are put into the fields of"
+                << " time " << mesh.time().timeName() << endl;
+        }
     }
     catch (const std::exception& err)
     {
@@ -62,6 +69,7 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
     }
 
     const grainChecks checks(properties_, dynamics_->grains());
+    checks.requireMasses();
     checks.requireLaws();
     if (!restart)
     {

@@ -60,9 +60,23 @@ void Foam::printTimeStep
 
         smallest = min(smallest, d);
         speed = max(speed, grains.velocity[i].norm());
-        speed = max(speed, settlingSpeed(drag, d, rhop, rho, mu, g));
+        speed = max
+        (
+            speed,
+            settlingSpeed
+            (
+                drag, d*Foam::sqrt(properties.packingRatio()),
+                rhop, rho, mu, g
+            )
+        );
     }
-    speed = max(speed, SMALL);
+
+    if (speed < SMALL)
+    {
+        Info<< nl << "Recommended deltaT      none: no grain moves by itself,"
+            << " the flow sets the limit" << endl;
+        return;
+    }
 
     const scalar courant =
         0.5*properties.plane().cellSizeRange().first()/speed;

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flow through grains that do not move, and grains that a shear flow turns."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, lattice, replace, tracks
+from test_motion import gamma
+
+WALLS = '"left|right|bottom|top"'
+
+
+def test_pressure_drop_and_velocity_of_a_fixed_bed(clone):
+    """Three rows of cells full of grains too heavy to move, clear fluid on both sides."""
+    d, spacing, height, speed, nu = 0.004, 0.005, 0.03, 1e-3, 1e-4
+    case = grain_box(clone, lattice(20, 6, spacing, (0.0025, 0.0425)), d / 2)
+    for patch in ("bottom", "top"):
+        begin = f"{patch}\n    {{\n        type    "
+        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    case.run("blockMesh")
+    replace(
+        case,
+        "0/U",
+        f"{WALLS}\n    {{\n        type    noSlip;\n    }}",
+        f'"left|right" {{ type slip; }} top {{ type zeroGradient; }}'
+        f" bottom {{ type fixedValue; value uniform (0 {speed} 0); }}",
+    )
+    outlet = "top { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", WALLS, f'{outlet} "left|right|bottom"')
+    replace(case, "constant/transportProperties", "1e-4", str(nu))
+    replace(case, "constant/grainProperties", "density 2500", "density 1e10")
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(left right)")
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=1e-2, endTime=3, writeInterval=300)
+    case.run("grainFoam")
+
+    eps = 1 - np.pi / 4 * (d / spacing) ** 2
+    slip = speed / eps
+    law = (1 - eps) / eps * gamma(slip, d, 1000 * nu, eps) * slip * height
+    p = case.field("p_rgh").reshape(10, 10)
+    # The face between bed and clear fluid sees both: nothing of the bed is lost
+    assert p[0].mean() - p[-1].mean() == pytest.approx(law, rel=0.01)
+
+    u = case.field("U")[:, 1].reshape(10, 10)
+    np.testing.assert_allclose(u[4:7], slip, rtol=0.01)
+    # A jump of eps over one cell is all that the coarse mesh has
+    np.testing.assert_allclose(u[[0, 1, 2, 3, 7, 8, 9]], speed, rtol=0.05)
+
+
+@pytest.mark.parametrize(
+    "cells, radius, low, high",
+    [
+        # Cells of several diameters know little of the shear across a grain: no spin of its own
+        (4, 0.005, -0.5, 0.0),
+        (10, 0.005, -0.5, -0.25),
+        # Freely turning at Re -> 0: half the shear rate, 3 % at eight cells across the grain
+        (40, 0.01, -0.515, -0.485),
+    ],
+)
+def test_shear_turns_a_grain(clone, cells, radius, low, high):
+    case = grain_box(clone, [(0.05, 0.05)], radius)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    for a, b in (("left", "right"), ("right", "left")):
+        replace(
+            case,
+            "system/blockMeshDict",
+            f"{a}\n    {{\n        type    wall;",
+            f"{a}\n    {{\n        type    cyclic; neighbourPatch {b};",
+        )
+    case.run("blockMesh")
+    speed = 0.005
+    replace(
+        case,
+        "0/U",
+        f"{WALLS}\n    {{\n        type    noSlip;\n    }}",
+        '"left|right" { type cyclic; }'
+        f" top {{ type fixedValue; value uniform ({speed} 0 0); }}"
+        f" bottom {{ type fixedValue; value uniform (-{speed} 0 0); }}",
+    )
+    replace(case, "0/p_rgh", WALLS, '"left|right" { type cyclic; }\n "bottom|top"')
+    replace(case, "constant/transportProperties", "1e-4", "1e-2")
+    replace(case, "constant/grainProperties", "density 2500", "density 1000")
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(bottom top)")
+    replace(case, "constant/g", "-9.81", "0")
+    # Four times the height's diffusion time
+    control(case, endTime=1, writeInterval=1000)
+    case.run("grainFoam")
+
+    spin = tracks(case)[-1, 10] / (2 * speed / 0.1)
+    assert low <= spin <= high

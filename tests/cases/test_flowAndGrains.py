@@ -88,3 +88,25 @@ def test_shear_turns_a_grain(clone, cells, radius, low, high):
 
     spin = tracks(case)[-1, 10] / (2 * speed / 0.1)
     assert low <= spin <= high
+
+
+def test_a_grain_that_covers_cells_falls_smoothly(clone):
+    """Eight cells across: the fluid inside the grain moves with it, that around it stays slow."""
+    case = grain_box(clone, [(0.05, 0.07)], 0.005)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(80 80 1)")
+    case.run("blockMesh")
+    replace(case, "constant/grainProperties", "density 2500", "density 1010")
+    replace(case, "constant/transportProperties", "1e-4", "1e-6")
+    control(case, deltaT=5e-3, endTime=1, writeInterval=200)
+    case.run("grainFoam")
+
+    path = tracks(case)
+    speed = -path[:, 6]
+    # From rest, faster in every step of the first half second
+    assert np.all(np.diff(speed[:100]) > 0)
+    # Never faster than a body whose added mass is that of its own volume of fluid, which cells
+    # of an eighth of its diameter know to an eighth; drag takes its part later
+    free = (0.01 / 2.01) * 9.81 * path[:, 0]
+    assert np.all(speed < (1 + 1 / 8) * free)
+    assert speed[-1] > 0.5 * free[-1]
+    assert np.linalg.norm(case.field("U"), axis=1).max() < 2.5 * speed[-1]

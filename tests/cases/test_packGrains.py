@@ -97,6 +97,16 @@ BAD = [
     ("tooFull", FILL.replace("150", "1500"), ["packGrainsDict", "number"]),
     ("radius", f"type lattice; {BOX} radius 0; material glass;", ["'radius'", "> 0"]),
     ("box", "type lattice; radius 1e-3; material glass;", ["packGrainsDict", "box"]),
+    (
+        "oneCorner",
+        "type lattice; box (0 0.4 0); radius 1e-3; material glass;",
+        ["'box'", "two corners"],
+    ),
+    (
+        "noRoom",
+        f"type hexagonal; {BOX} radius 1; material glass;",
+        ["'radius'", "fits into 'box'"],
+    ),
     ("type", f"type heap; {BOX}", ["'type'", "heap", "lattice", "randomFill", "settled"]),
     ("typo", f"{FILL} sede 1;", ["sede", "seed"]),
     ("spacing", f"type lattice; {BOX} radius 1e-3; spacing 1e-3; material glass;", ["'spacing'"]),

@@ -59,7 +59,22 @@ void Foam::grainSource::requireSome
 
 nscd::Box<2> Foam::grainSource::box(const dictionary& dict) const
 {
+    const string allowed
+    (
+        "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
+    );
     ITstream& is = dict.lookup("box");
+
+    // Two vectors of three numbers, with their brackets
+    if (is.size() != 10)
+    {
+        OStringStream value;
+        for (const token& t : static_cast<const tokenList&>(is))
+        {
+            value << t << ' ';
+        }
+        dictionaryInput::badValue(dict, "box", value.str(), allowed);
+    }
     const point first(is), second(is);
     const planarMesh::point2 a(context_.plane.toPlane(first));
     const planarMesh::point2 b(context_.plane.toPlane(second));
@@ -69,11 +84,7 @@ nscd::Box<2> Foam::grainSource::box(const dictionary& dict) const
     {
         OStringStream value;
         value << first << ' ' << second;
-        dictionaryInput::badValue
-        (
-            dict, "box", value.str(),
-            "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
-        );
+        dictionaryInput::badValue(dict, "box", value.str(), allowed);
     }
     return result;
 }

@@ -23,7 +23,6 @@ void Foam::grainFluidExchange::moveGrains
 
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
-    scalarField phi(mesh_.nCells(), Zero);
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -57,7 +56,6 @@ void Foam::grainFluidExchange::moveGrains
             );
             force[graini] += f;
             torque[graini] += overlaps.arm[k] ^ (f + shear);
-            phi[celli] += overlaps.volume[k]/mesh_.V()[celli];
         }
     }
     Pstream::listCombineGather(force, plusEqOp<vector>());
@@ -67,12 +65,14 @@ void Foam::grainFluidExchange::moveGrains
 
     // What the fluid's equation holds of the grains, cell by cell
     given_ = Zero;
-    forAll(phi, celli)
+    forAll(eps_, celli)
     {
+        const scalar solid = 1 - eps_[celli];
+
         given_ += deltaT*mesh_.V()[celli]
            *(
-              - phi[celli]*rho*grains_.properties().g()
-              + (kappa_[celli] - phi[celli])*gradP[celli]
+              - solid*rho*grains_.properties().g()
+              + (kappa_[celli] - solid)*gradP[celli]
               + beta_[celli]*U[celli] - b_[celli]
             );
     }

@@ -53,8 +53,8 @@ void run(const std::string& packing, int steps, int sweeps, std::size_t count, b
         box.upper << 0.06, 0.06, 0.6;
         for (int axis = 0; axis < 3; ++axis)
         {
-            walls.push_back({box.lower, nscd::Vector<3>::Unit(axis), 0});
-            walls.push_back({box.upper, -nscd::Vector<3>::Unit(axis), 0});
+            walls.push_back(nscd::Plane{box.lower, nscd::Vector<3>::Unit(axis), 0});
+            walls.push_back(nscd::Plane{box.upper, -nscd::Vector<3>::Unit(axis), 0});
         }
         for (double& radius : radii)
         {

@@ -21,7 +21,7 @@ public:
     {
         for (const auto& wall : walls)
         {
-            wallMaterial_.push_back(wall.material);
+            wallMaterial_.push_back(materialOf(wall));
         }
     }
 

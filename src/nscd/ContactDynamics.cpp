@@ -129,6 +129,17 @@ auto ContactDynamics<D>::Implementation::freeMotion(const Vectors<D>& force, con
 }
 
 template <int D>
+void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temperature)
+{
+    if (temperature.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " +
+                                    std::to_string(temperature.size()) + " temperatures");
+    }
+    grains_.temperature = std::move(temperature);
+}
+
+template <int D>
 void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 {
     arrangement_.move(grains_, candidates_.order());
@@ -223,6 +234,12 @@ template <int D>
 double ContactDynamics<D>::worstOverlap() const
 {
     return implementation_->worstOverlap();
+}
+
+template <int D>
+void ContactDynamics<D>::setTemperature(std::vector<double> temperature)
+{
+    implementation_->setTemperature(std::move(temperature));
 }
 
 template <int D>

@@ -8,11 +8,20 @@
 #include "nscd/Mpi.hpp"
 #include "nscd/Walls.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 
 namespace nscd
 {
+
+/// How the impulses of all contacts are found; the answer is the same.
+enum class Solver
+{
+    sweeps,     ///< plain non-linear Gauss-Seidel: all contacts, one after the other, again and again
+    queue,      ///< only contacts whose grains have changed by more than the tolerance since they were last solved
+    nesterov    ///< sweeps with momentum, restarted when they go astray, and plain sweeps to finish
+};
 
 /// How the contact problem is solved.
 struct Settings
@@ -29,6 +38,11 @@ struct Settings
 
     /// Number of spatial blocks, a power of two. The result depends on it, but not on the number of ranks.
     int blocks = 8;
+
+    Solver solver = Solver::sweeps;
+
+    /// Length of the periodic box along each axis [m]; 0 where it is not periodic.  Positions are not wrapped.
+    std::array<double, 3> period{0, 0, 0};
 };
 
 /// What one step did.
@@ -44,11 +58,23 @@ struct StepReport
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
+    double contactWork = 0;       ///< of all contacts on the grains, with the mean of the velocities before and after [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };
 
-/// Grains and fixed walls in frictional, perfectly inelastic contact (Signorini-Coulomb, time stepping after
+/// A contact that carried an impulse in the last sub-step.
+template <int D>
+struct ContactForce
+{
+    int first, second;   ///< grains; second < 0: wall ~second
+    Vector<D> point;     ///< in the middle of gap or overlap [m]
+    Vector<D> normal;    ///< from the first to the second
+    Vector<D> force;     ///< on the second: impulse over the sub-step [N]
+    double gap;          ///< [m], at the beginning of the sub-step
+};
+
+/// Grains and walls in frictional contact (Signorini-Coulomb, time stepping after
 /// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel:
 ///     r_n >= 0,  u_n + max(gap, 0)/dt >= 0,  complementary,  and  |r_t| <= mu r_n.
 /// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
@@ -73,6 +99,18 @@ public:
     const Grains<D>& grains() const;
     const Walls<D>& walls() const;
     const Settings& settings() const;
+
+    /// Bodies of the walls as they are now; wall(i).body is an index into them.
+    const std::vector<WallBody<D>>& wallBodies() const;
+
+    /// Set the motion of a wall body for the steps to come.  Throws std::invalid_argument.
+    void setWallBody(int body, const WallBody<D>& state);
+
+    /// Contacts of all ranks, in an order that does not depend on the number of ranks.  Collective.
+    std::vector<ContactForce<D>> contacts() const;
+
+    /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
+    void setTemperature(std::vector<double> temperature);
 
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.

@@ -11,7 +11,21 @@ namespace nscd
 /// What the contact problem must know of a pair of materials.
 struct ContactParameters
 {
-    double friction = 0;   ///< Coulomb coefficient mu >= 0: |r_t| <= mu r_n
+    /// Coulomb coefficient mu >= 0: |r_t| <= mu r_n.
+    double friction = 0;
+
+    /// Newton's coefficient 0 <= e <= 1: a contact that closes with velocity v reopens with at least e v.
+    double restitution = 0;
+
+    /// Resistance to rolling >= 0: the rolling moment is at most rolling * r_n * R with 1/R = 1/R_i + 1/R_j.
+    double rolling = 0;
+
+    /// Attraction of two grains in contact >= 0: cohesion + tension * R [N], R as for rolling.
+    double cohesion = 0;   ///< [N]
+    double tension = 0;    ///< [N/m]
+
+    /// Time that a contact must have lasted before it attracts >= 0 [s].
+    double cohesionDelay = 0;
 };
 
 /// Symmetric table of contact parameters for n materials.

@@ -3,14 +3,15 @@
 
 #pragma once
 
-#include "nscd/Types.hpp"
+#include "nscd/Cluster.hpp"
 
 #include <cstdint>
 
 namespace nscd
 {
 
-/// State of N solid discs (2-D) or spheres (3-D); entry i of every list belongs to grain i.
+/// State of N grains: solid discs (2-D), spheres (3-D) or rigid clusters of them; entry i of every list belongs to
+/// grain i.
 /// The order of grains never changes during a run; `id` is what the user sees.
 template <int D>
 struct Grains
@@ -18,11 +19,15 @@ struct Grains
     std::vector<std::int64_t> id;
     Vectors<D> position;              ///< centres [m]
     Vectors<D> velocity;              ///< [m/s]
-    Spins<D> spin;                    ///< [rad/s]
-    std::vector<double> radius;       ///< [m], > 0
+    Orientations<D> orientation;      ///< of the body's frame
+    Spins<D> spin;                    ///< in space [rad/s]
+    std::vector<int> shape;           ///< index into 'clusters'; -1: a disc or sphere
+    std::vector<double> radius;       ///< [m], > 0; of a cluster that of the circle or sphere around it
     std::vector<double> mass;         ///< [kg], > 0; a disc's is that of its cylinder of the mesh's depth
     std::vector<int> material;        ///< index into the friction table
     std::vector<double> temperature;  ///< [K]
+
+    std::vector<Cluster<D>> clusters; ///< shapes of the clusters among the grains
 
     std::size_t size() const { return position.size(); }
 
@@ -31,7 +36,9 @@ struct Grains
         id.resize(n);
         position.resize(n, Vector<D>::Zero());
         velocity.resize(n, Vector<D>::Zero());
+        orientation.resize(n, Orientation<D>::Identity());
         spin.resize(n, Spin<D>::Zero());
+        shape.resize(n, -1);
         radius.resize(n);
         mass.resize(n);
         material.resize(n, 0);

@@ -25,6 +25,7 @@ public:
     double worstOverlap() const { return worstOverlap_; }
 
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void setTemperature(std::vector<double> temperature);
     void save(const std::string& file, double time) const;
     double load(const std::string& file);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -24,6 +25,25 @@ using Vectors = std::vector<Vector<D>>;
 
 template <int D>
 using Spins = std::vector<Spin<D>>;
+
+template <int D>
+struct OrientationOf
+{
+    using type = Eigen::Quaterniond;
+};
+
+template <>
+struct OrientationOf<2>
+{
+    using type = Eigen::Rotation2Dd;
+};
+
+/// Rotation from the body's frame to space: an angle in 2-D, a unit quaternion in 3-D.
+template <int D>
+using Orientation = typename OrientationOf<D>::type;
+
+template <int D>
+using Orientations = std::vector<Orientation<D>>;
 
 /// Moment of inertia over m r^2: a solid disc (2-D) 1/2, a solid sphere (3-D) 2/5.
 template <int D>

@@ -41,6 +41,8 @@ void validate(const Grains<D>& grains, const ContactTable& table)
     checkSize(grains.mass.size(), "mass");
     checkSize(grains.material.size(), "material");
     checkSize(grains.temperature.size(), "temperature");
+    checkSize(grains.shape.size(), "shape");
+    checkSize(grains.orientation.size(), "orientation");
 
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -92,15 +94,16 @@ void validate(const Walls<3>& walls, const ContactTable& table)
     for (std::size_t w = 0; w < walls.size(); ++w)
     {
         const std::string name = "wall " + std::to_string(w);
-        if (!isFinite(walls[w].point) || !isFinite(walls[w].normal))
+        const Plane& plane = std::get<Plane>(walls[w]);
+        if (!isFinite(plane.point) || !isFinite(plane.normal))
         {
             refuse(name, ": point or normal is not finite");
         }
-        if (std::abs(walls[w].normal.norm() - 1) > 1e-9)
+        if (std::abs(plane.normal.norm() - 1) > 1e-9)
         {
-            refuse(name, ": its normal has length ", walls[w].normal.norm(), " instead of 1");
+            refuse(name, ": its normal has length ", plane.normal.norm(), " instead of 1");
         }
-        checkMaterial(walls[w].material, table, name);
+        checkMaterial(plane.material, table, name);
     }
 }
 

@@ -76,7 +76,7 @@ public:
 
     std::optional<Approach<3>> approach(int wall, const Vector<3>& centre, double radius) const
     {
-        const Plane& plane = walls_[wall];
+        const Plane& plane = std::get<Plane>(walls_[wall]);
         return Approach<3>{-plane.normal, (centre - plane.point).dot(plane.normal) - radius};
     }
 
@@ -88,7 +88,8 @@ public:
 
     double distance(int wall, const Vector<3>& x) const
     {
-        return (x - walls_[wall].point).dot(walls_[wall].normal);
+        const Plane& plane = std::get<Plane>(walls_[wall]);
+        return (x - plane.point).dot(plane.normal);
     }
 
 private:

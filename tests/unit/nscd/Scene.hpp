@@ -46,7 +46,7 @@ struct Scene
         }
         else
         {
-            walls.push_back({{0, 0, 0}, {0, 0, 1}, 1});
+            walls.push_back(nscd::Plane{{0, 0, 0}, {0, 0, 1}, 1});
         }
     }
 
@@ -62,8 +62,8 @@ struct Scene
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                walls.push_back({nscd::Vector<3>::Zero(), nscd::Vector<3>::Unit(axis), 1});
-                walls.push_back({size, -nscd::Vector<3>::Unit(axis), 1});
+                walls.push_back(nscd::Plane{nscd::Vector<3>::Zero(), nscd::Vector<3>::Unit(axis), 1});
+                walls.push_back(nscd::Plane{size, -nscd::Vector<3>::Unit(axis), 1});
             }
         }
     }

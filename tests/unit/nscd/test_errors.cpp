@@ -80,10 +80,11 @@ TEST(Walls, WithSenselessValuesAreRefusedByNumber)
               "wall 0: material -1 is not one of the 2 of the contact table");
 
     Scene<3> scene = agitated<3>(2, 0);
-    scene.walls[1].normal *= 2;
+    auto& plane = std::get<nscd::Plane>(scene.walls[1]);
+    plane.normal *= 2;
     EXPECT_EQ(messageOf<std::invalid_argument>([&] { scene.dynamics(); }),
               "wall 1: its normal has length 2 instead of 1");
-    scene.walls[1].normal[0] = notANumber;
+    plane.normal[0] = notANumber;
     EXPECT_EQ(messageOf<std::invalid_argument>([&] { scene.dynamics(); }), "wall 1: point or normal is not finite");
 }
 

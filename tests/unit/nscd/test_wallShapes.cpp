@@ -147,7 +147,7 @@ TEST(Plane, OfAnyDirectionCarriesAGrain)
 {
     Scene<3> scene;
     const Vector<3> normal = Vector<3>(1, 2, 3).normalized();
-    scene.walls.push_back({{1, 1, 1}, normal, 1});
+    scene.walls.push_back(nscd::Plane{{1, 1, 1}, normal, 1});
     scene.add(Vector<3>(1, 1, 1) + 1.2 * normal, -normal);
     auto dynamics = scene.dynamics();
     for (int i = 0; i < 50; ++i)

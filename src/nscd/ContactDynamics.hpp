@@ -58,7 +58,7 @@ struct StepReport
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
-    double contactWork = 0;       ///< of all contacts on the grains, with the mean of the velocities before and after [J]
+    double contactWork = 0;       ///< of all contacts, with the mean of the velocities before and after [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };

@@ -15,6 +15,7 @@ struct Impulse
 {
     double normal = 0;
     Tangent<D> tangential = zeroTangent<D>();
+    double age = 0;   ///< how long the contact has carried an impulse without a break [s]
 };
 
 /// An impulse that outlives the candidate list: named by user's grain numbers, a < b, or by a grain and wall ~b,

@@ -69,6 +69,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.lastTimeStep = lastTimeStep_;
     state.lastSubStep = lastSubStep_;
     state.candidatePosition = candidates_.positions();
+    state.candidateOrientation = grains_.orientation;
     state.candidateSkin = candidates_.skin();
     state.impulses = gatherImpulses(candidates_, impulses_, communicator_);
     together(communicator_, file,

@@ -18,7 +18,7 @@ namespace
 {
 
 const std::string format = "grainFoam grains";
-constexpr int version = 1;
+constexpr int version = 2;
 
 template <class V>
 Table<double> toTable(const std::vector<V>& vectors)
@@ -30,6 +30,47 @@ Table<double> toTable(const std::vector<V>& vectors)
         table.values.insert(table.values.end(), v.data(), v.data() + columns);
     }
     return table;
+}
+
+template <int D>
+Table<double> toTable(const Orientations<D>& orientations)
+{
+    if constexpr (D == 2)
+    {
+        Table<double> table{orientations.size(), 1, {}};
+        for (const auto& o : orientations)
+        {
+            table.values.push_back(o.angle());
+        }
+        return table;
+    }
+    else
+    {
+        Table<double> table{orientations.size(), 4, {}};
+        for (const auto& o : orientations)
+        {
+            table.values.insert(table.values.end(), {o.w(), o.x(), o.y(), o.z()});
+        }
+        return table;
+    }
+}
+
+template <int D>
+Orientations<D> toOrientations(const Table<double>& table)
+{
+    Orientations<D> orientations;
+    for (const double* q = table.values.data(); q != table.values.data() + table.values.size(); q += table.columns)
+    {
+        if constexpr (D == 2)
+        {
+            orientations.emplace_back(q[0]);
+        }
+        else
+        {
+            orientations.emplace_back(q[0], q[1], q[2], q[3]);
+        }
+    }
+    return orientations;
 }
 
 template <class To, class From>
@@ -70,10 +111,12 @@ void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
     Table<std::int64_t> pair{impulses.size(), 2, {}};
     Table<double> normal{impulses.size(), 1, {}};
     Table<double> tangential{impulses.size(), columns, {}};
+    Table<double> age{impulses.size(), 1, {}};
     for (const NamedImpulse<D>& i : impulses)
     {
         pair.values.insert(pair.values.end(), {i.a, i.b});
         normal.values.push_back(i.impulse.normal);
+        age.values.push_back(i.impulse.age);
         if constexpr (D == 2)
         {
             tangential.values.push_back(i.impulse.tangential);
@@ -86,6 +129,7 @@ void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
     }
     out.write("contacts/pair", pair, "row of a grain; -1-w for wall w");
     out.write("contacts/normalImpulse", normal, "N s");
+    out.write("contacts/age", age, "s");
     out.write("contacts/tangentialImpulse", tangential, "N s, on the second of the pair");
 }
 
@@ -95,6 +139,7 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
     const std::size_t n = in.read<std::int64_t>("contacts/pair").rows;
     const Table<std::int64_t> pair = readTable<std::int64_t>(in, file, "contacts/pair", n, 2);
     const Table<double> normal = readTable<double>(in, file, "contacts/normalImpulse", n, 1);
+    const Table<double> age = readTable<double>(in, file, "contacts/age", n, 1);
     const Table<double> tangential =
         readTable<double>(in, file, "contacts/tangentialImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     std::vector<NamedImpulse<D>> impulses;
@@ -111,6 +156,7 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
         }
         NamedImpulse<D> impulse{static_cast<int>(a), static_cast<int>(b), {}};
         impulse.impulse.normal = normal.values[c];
+        impulse.impulse.age = age.values[c];
         const double* t = tangential.values.data() + c * tangential.columns;
         if constexpr (D == 2)
         {
@@ -123,6 +169,97 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
         impulses.push_back(impulse);
     }
     return impulses;
+}
+
+template <int D>
+void writeClusters(Hdf5File& out, const std::vector<Cluster<D>>& clusters)
+{
+    Table<std::int64_t> members{clusters.size(), 1, {}};
+    Table<double> volume{clusters.size(), 1, {}};
+    Spins<D> inertia;
+    Vectors<D> centre;
+    Table<double> radius{0, 1, {}};
+    for (const Cluster<D>& c : clusters)
+    {
+        members.values.push_back(static_cast<std::int64_t>(c.radius.size()));
+        volume.values.push_back(c.volume);
+        inertia.push_back(c.inertia);
+        centre.insert(centre.end(), c.centre.begin(), c.centre.end());
+        radius.values.insert(radius.values.end(), c.radius.begin(), c.radius.end());
+    }
+    radius.rows = radius.values.size();
+    out.write("clusters/members", members, "1");
+    out.write("clusters/volume", volume, "over that of radius^D");
+    out.write("clusters/inertia", toTable(inertia), "over mass radius^2");
+    out.write("clusters/centre", toTable(centre), "over radius");
+    out.write("clusters/radius", radius, "over radius");
+}
+
+template <int D>
+std::vector<Cluster<D>> readClusters(const Hdf5File& in, const std::string& file)
+{
+    const Table<std::int64_t> members = in.read<std::int64_t>("clusters/members");
+    std::size_t total = 0;
+    for (const std::int64_t m : members.values)
+    {
+        total += static_cast<std::size_t>(m);
+    }
+    const Table<double> volume = readTable<double>(in, file, "clusters/volume", members.rows, 1);
+    const auto inertia = toVectors<Spin<D>>(
+        readTable<double>(in, file, "clusters/inertia", members.rows, Spin<D>::RowsAtCompileTime));
+    const auto centre = toVectors<Vector<D>>(readTable<double>(in, file, "clusters/centre", total, D));
+    const Table<double> radius = readTable<double>(in, file, "clusters/radius", total, 1);
+    std::vector<Cluster<D>> clusters;
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < members.rows; ++c)
+    {
+        const std::size_t last = first + static_cast<std::size_t>(members.values[c]);
+        clusters.push_back({{centre.begin() + first, centre.begin() + last},
+                            {radius.values.begin() + first, radius.values.begin() + last},
+                            volume.values[c],
+                            inertia[c]});
+        first = last;
+    }
+    return clusters;
+}
+
+template <int D>
+void writeWallBodies(Hdf5File& out, const std::vector<WallBody<D>>& bodies)
+{
+    Vectors<D> position, velocity;
+    Orientations<D> orientation;
+    Spins<D> spin;
+    for (const WallBody<D>& b : bodies)
+    {
+        position.push_back(b.position);
+        velocity.push_back(b.velocity);
+        orientation.push_back(b.orientation);
+        spin.push_back(b.spin);
+    }
+    out.write("wallBodies/position", toTable(position), "m");
+    out.write("wallBodies/velocity", toTable(velocity), "m/s");
+    out.write("wallBodies/orientation", toTable<D>(orientation), D == 2 ? "rad" : "1");
+    out.write("wallBodies/spin", toTable(spin), "rad/s");
+}
+
+template <int D>
+std::vector<WallBody<D>> readWallBodies(const Hdf5File& in, const std::string& file)
+{
+    const Table<double> position = in.read<double>("wallBodies/position");
+    const auto read = [&](const char* name, std::size_t columns)
+    { return readTable<double>(in, file, name, position.rows, columns); };
+    const auto velocity = toVectors<Vector<D>>(read("wallBodies/velocity", D));
+    const auto orientation = toOrientations<D>(read("wallBodies/orientation", D == 2 ? 1 : 4));
+    const auto spin = toVectors<Spin<D>>(read("wallBodies/spin", Spin<D>::RowsAtCompileTime));
+    std::vector<WallBody<D>> bodies(position.rows);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+    {
+        bodies[b].position = Eigen::Map<const Vector<D>>(position.values.data() + D * b);
+        bodies[b].velocity = velocity[b];
+        bodies[b].orientation = orientation[b];
+        bodies[b].spin = spin[b];
+    }
+    return bodies;
 }
 
 [[noreturn]] void throwSystemError(const std::string& file, const std::string& action)
@@ -163,7 +300,9 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("id", toColumn<std::int64_t>(s.grains.id), "1");
     out.write("position", toTable(s.grains.position), "m");
     out.write("velocity", toTable(s.grains.velocity), "m/s");
+    out.write("orientation", toTable<D>(s.grains.orientation), D == 2 ? "rad" : "1");
     out.write("spin", toTable(s.grains.spin), "rad/s");
+    out.write("shape", toColumn<std::int64_t>(s.grains.shape), "row of clusters; -1 for none");
     out.write("radius", toColumn<double>(s.grains.radius), "m");
     out.write("mass", toColumn<double>(s.grains.mass), "kg");
     out.write("material", toColumn<std::int64_t>(s.grains.material), "1");
@@ -171,6 +310,9 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("contactImpulse", toTable(s.contactImpulse), "N s");
     out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
     out.write("candidatePosition", toTable(s.candidatePosition), "m");
+    out.write("candidateOrientation", toTable<D>(s.candidateOrientation), D == 2 ? "rad" : "1");
+    writeClusters<D>(out, s.grains.clusters);
+    writeWallBodies<D>(out, s.wallBodies);
     writeContacts<D>(out, s.impulses);
     out.close();
 
@@ -213,13 +355,18 @@ State<D> readState(const std::string& file)
     const auto integers = [&](const std::string& name) { return readTable<std::int64_t>(in, file, name, n, 1).values; };
     const auto vectors = [&](const std::string& name)
     { return toVectors<Vector<D>>(readTable<double>(in, file, name, n, D)); };
+    const auto orientations = [&](const std::string& name)
+    { return toOrientations<D>(readTable<double>(in, file, name, n, D == 2 ? 1 : 4)); };
     const auto spins = [&](const std::string& name)
     { return toVectors<Spin<D>>(readTable<double>(in, file, name, n, Spin<D>::RowsAtCompileTime)); };
 
     s.grains.id = integers("id");
     s.grains.position = vectors("position");
     s.grains.velocity = vectors("velocity");
+    s.grains.orientation = orientations("orientation");
     s.grains.spin = spins("spin");
+    const std::vector<std::int64_t> shape = integers("shape");
+    s.grains.shape.assign(shape.begin(), shape.end());
     s.grains.radius = column("radius");
     s.grains.mass = column("mass");
     const std::vector<std::int64_t> material = integers("material");
@@ -228,6 +375,9 @@ State<D> readState(const std::string& file)
     s.contactImpulse = vectors("contactImpulse");
     s.contactSpinImpulse = spins("contactSpinImpulse");
     s.candidatePosition = vectors("candidatePosition");
+    s.candidateOrientation = orientations("candidateOrientation");
+    s.grains.clusters = readClusters<D>(in, file);
+    s.wallBodies = readWallBodies<D>(in, file);
     s.impulses = readContacts<D>(in, file, n);
     return s;
 }

@@ -5,6 +5,7 @@
 
 #include "nscd/Grains.hpp"
 #include "nscd/Impulses.hpp"
+#include "nscd/Walls.hpp"
 
 #include <string>
 
@@ -23,9 +24,13 @@ struct State
 
     /// What the candidate list was made for, and hence the order of the sweeps.
     Vectors<D> candidatePosition;
+    Orientations<D> candidateOrientation;
     double candidateSkin = 0;
 
     std::vector<NamedImpulse<D>> impulses;
+
+    /// Position, orientation, velocity and spin of the wall bodies; the rest is not saved.
+    std::vector<WallBody<D>> wallBodies;
 };
 
 /// Write to a temporary file in the same directory, bring it to disc and rename it: 'file' is either what it was or

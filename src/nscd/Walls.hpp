@@ -74,18 +74,18 @@ using Walls = std::vector<typename WallOf<D>::type>;
 template <int D>
 struct WallBody
 {
-    Vector<D> position = Vector<D>::Zero();                        ///< a point to turn about, of a free body the centre of mass
-    Orientation<D> orientation = Orientation<D>::Identity();       ///< the identity at the initial place
-    Vector<D> velocity = Vector<D>::Zero();                        ///< [m/s]
-    Spin<D> spin = Spin<D>::Zero();                                ///< in space [rad/s]
+    Vector<D> position = Vector<D>::Zero();   ///< what it turns about; of a free body the centre of mass [m]
+    Orientation<D> orientation = Orientation<D>::Identity();   ///< the identity at the initial place
+    Vector<D> velocity = Vector<D>::Zero();                    ///< [m/s]
+    Spin<D> spin = Spin<D>::Zero();                            ///< in space [rad/s]
 
     /// Mass [kg] and moments of inertia about space's axes at the initial place [kg m^2] of a body that moves freely;
     /// infinite where the motion is prescribed.  A free piston has a finite mass and infinite moments.
     double mass = std::numeric_limits<double>::infinity();
     Spin<D> inertia = Spin<D>::Constant(std::numeric_limits<double>::infinity());
 
-    Vector<D> force = Vector<D>::Zero();                           ///< on a free body [N]
-    Spin<D> torque = Spin<D>::Zero();                              ///< [N m]
+    Vector<D> force = Vector<D>::Zero();   ///< on a free body [N]
+    Spin<D> torque = Spin<D>::Zero();      ///< [N m]
 };
 
 }  // namespace nscd

@@ -98,7 +98,7 @@ TEST(Restart, FileCanBeReadByNamesAndUnits)
     scene.dynamics().save(file, 1.5);
     const nscd::Hdf5File in(file, nscd::Hdf5File::Mode::read);
     EXPECT_EQ(in.readText("format"), "grainFoam grains");
-    EXPECT_EQ(in.readNumber("version"), 1);
+    EXPECT_EQ(in.readNumber("version"), 2);
     EXPECT_EQ(in.readNumber("dimension"), 3);
     EXPECT_EQ(in.readNumber("time"), 1.5);
     for (const std::string name : {"position", "velocity", "spin", "contactImpulse", "contactSpinImpulse"})
@@ -171,7 +171,7 @@ TEST(Restart, OtherDimensionVersionOrFormatIsRefused)
     EXPECT_NE(refusal(file).find("its dimension is 3 instead of 2"), std::string::npos);
 
     const std::string newer = spoilt([](hid_t id) { overwriteNumber(id, "version", 7); });
-    EXPECT_NE(refusal(newer).find("its version is 7 instead of 1"), std::string::npos);
+    EXPECT_NE(refusal(newer).find("its version is 7 instead of 2"), std::string::npos);
 
     const std::string foreign = spoilt([](hid_t id) { H5Adelete(id, "format"); });
     EXPECT_NE(refusal(foreign).find("cannot read attribute format"), std::string::npos);

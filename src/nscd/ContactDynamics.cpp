@@ -33,10 +33,11 @@ void requireFinite(const Vectors<D>& vectors, const Spins<D>& spins, const Grain
 
 template <int D>
 ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> walls, ContactTable table,
-                                                   Settings settings, MPI_Comm communicator)
+                                                   Settings settings, MPI_Comm communicator,
+                                                   std::vector<WallBody<D>> wallBodies)
     : grains_(std::move(grains)), walls_((validate(walls, table), std::move(walls))),
       table_((validate(table), std::move(table))), settings_(settings), communicator_(communicator),
-      arrangement_(walls_, table_)
+      wallBodies_(std::move(wallBodies)), arrangement_(walls_, table_)
 {
     validate(settings_);
     validate(grains_, table_);
@@ -173,9 +174,9 @@ void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 
 template <int D>
 ContactDynamics<D>::ContactDynamics(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings,
-                                    MPI_Comm communicator)
+                                    MPI_Comm communicator, std::vector<WallBody<D>> wallBodies)
     : implementation_(std::make_unique<Implementation>(std::move(grains), std::move(walls), std::move(table), settings,
-                                                       communicator))
+                                                       communicator, std::move(wallBodies)))
 {
 }
 

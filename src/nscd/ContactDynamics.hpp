@@ -87,10 +87,11 @@ template <int D>
 class ContactDynamics
 {
 public:
+    /// 'wallBodies' are at their initial place.
     /// Throws std::invalid_argument for sizes that differ, radii or masses <= 0, values that are not
     /// finite, materials outside the table, or senseless settings; the message names the grain's id.
     ContactDynamics(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings,
-                    MPI_Comm communicator = MPI_COMM_WORLD);
+                    MPI_Comm communicator = MPI_COMM_WORLD, std::vector<WallBody<D>> wallBodies = {});
     ~ContactDynamics();
 
     ContactDynamics(ContactDynamics&&) noexcept;
@@ -103,8 +104,11 @@ public:
     /// Bodies of the walls as they are now; wall(i).body is an index into them.
     const std::vector<WallBody<D>>& wallBodies() const;
 
-    /// Set the motion of a wall body for the steps to come.  Throws std::invalid_argument.
-    void setWallBody(int body, const WallBody<D>& state);
+    /// Velocity [m/s] and spin [rad/s] of a wall body in the steps to come.  Throws std::invalid_argument.
+    void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
+
+    /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
+    void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
 
     /// Contacts of all ranks, in an order that does not depend on the number of ranks.  Collective.
     std::vector<ContactForce<D>> contacts() const;

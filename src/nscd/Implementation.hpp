@@ -14,7 +14,8 @@ template <int D>
 class ContactDynamics<D>::Implementation
 {
 public:
-    Implementation(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings, MPI_Comm communicator);
+    Implementation(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings, MPI_Comm communicator,
+                   std::vector<WallBody<D>> wallBodies);
 
     const Grains<D>& grains() const { return grains_; }
     const Walls<D>& walls() const { return walls_; }
@@ -67,6 +68,7 @@ private:
     ContactTable table_;
     Settings settings_;
     Communicator communicator_;
+    std::vector<WallBody<D>> wallBodies_;
     Arrangement<D> arrangement_;
 
     double smallestRadius_ = 0, meanRadius_ = 0;

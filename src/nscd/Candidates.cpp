@@ -15,30 +15,6 @@ namespace
 /// not, so that the processor can work on several at once.
 constexpr std::size_t streams = 4;
 
-/// Walls whose boxes come within 'reach' of a cell of the grid, by cell; half spaces are near every cell.
-template <int D>
-std::vector<std::vector<int>> wallsByCell(const CellGrid<D>& grid, const WallContact<D>& walls, double reach)
-{
-    std::vector<std::vector<int>> near(grid.cells());
-    walls.forBoxes(
-        [&](int wall, const Vector<D>& lower, const Vector<D>& upper)
-        {
-            auto first = grid.coordinates(lower - Vector<D>::Constant(reach));
-            auto last = grid.coordinates(upper + Vector<D>::Constant(reach));
-            for (int d = 0; d < D; ++d)
-            {
-                first[d] = std::max<std::int64_t>(first[d], 0);
-                last[d] = std::min(last[d], grid.top()[d]);
-                if (last[d] < first[d])
-                {
-                    return;
-                }
-            }
-            grid.forCells(first, last, [&](std::size_t cell) { near[cell].push_back(wall); });
-        });
-    return near;
-}
-
 }  // namespace
 
 template <int D>
@@ -51,13 +27,13 @@ struct Candidates<D>::Seat
 
 template <int D>
 Candidates<D>::Candidates(const Vectors<D>& positions, const std::vector<double>& radii, const WallContact<D>& walls,
-                          std::size_t wallCount, double skin, int blocks, const Communicator& communicator)
+                          double skin, int blocks, const Communicator& communicator)
     : skin_(skin), positions_(positions)
 {
     const double largest = radii.empty() ? 1.0 : *std::max_element(radii.begin(), radii.end());
     const CellGrid<D> grid(positions, 2 * largest + skin);
     sort(grid, blocks, communicator);
-    detect(grid, radii, walls, wallCount, communicator.rank());
+    detect(grid, radii, walls, communicator.rank());
 }
 
 template <int D>
@@ -101,17 +77,14 @@ void Candidates<D>::sort(const CellGrid<D>& grid, int blocks, const Communicator
 
 template <int D>
 void Candidates<D>::detect(const CellGrid<D>& grid, const std::vector<double>& radii, const WallContact<D>& walls,
-                           std::size_t wallCount, int rank)
+                           int rank)
 {
     std::vector<Seat> seats;
     seats.reserve(order_.size());
-    double largest = 0;
     for (const int grain : grid.members())
     {
         seats.push_back({positions_[grain], radii[grain], place_[grain]});
-        largest = std::max(largest, radii[grain]);
     }
-    const std::vector<std::vector<int>> nearWalls = wallsByCell<D>(grid, walls, largest + skin_);
 
     const int blocks = this->blocks();
     std::vector<std::vector<Pair>> found(blocks);
@@ -125,14 +98,6 @@ void Candidates<D>::detect(const CellGrid<D>& grid, const std::vector<double>& r
         {
             const Vector<D>& x = positions_[order_[i]];
             const double reach = radii[order_[i]] + skin_;
-            const auto watch = [&](int wall)
-            {
-                if (walls.distance(wall, x) < reach)
-                {
-                    found[block].push_back({i, ~wall});
-                }
-            };
-
             const auto centre = grid.coordinates(x);
             auto first = centre;
             auto last = centre;
@@ -154,20 +119,7 @@ void Candidates<D>::detect(const CellGrid<D>& grid, const std::vector<double>& r
                                   }
                               }
                           });
-            if constexpr (D == 2)
-            {
-                for (const int wall : nearWalls[grid.cell(centre)])
-                {
-                    watch(wall);
-                }
-            }
-            else
-            {
-                for (std::size_t wall = 0; wall < wallCount; ++wall)
-                {
-                    watch(static_cast<int>(wall));
-                }
-            }
+            walls.forNear(x, reach, [&](int wall) { found[block].push_back({i, ~wall}); });
         }
         for (int other = block; other < blocks; ++other)
         {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/CellGrid.hpp"
 #include "nscd/Communicator.hpp"
 #include "nscd/Grains.hpp"
 #include "nscd/WallContact.hpp"
@@ -33,7 +34,7 @@ class Candidates
 public:
     Candidates() = default;
     Candidates(const Vectors<D>& positions, const std::vector<double>& radii, const WallContact<D>& walls,
-               std::size_t wallCount, double skin, int blocks, const Communicator& communicator);
+               double skin, int blocks, const Communicator& communicator);
 
     /// Can no unlisted pair come into contact before the grains have gone further than these displacements?
     bool cover(double largestDisplacement) const { return !order_.empty() && 2 * largestDisplacement <= skin_; }
@@ -59,7 +60,7 @@ private:
 
     void sort(const CellGrid<D>& grid, int blocks, const Communicator& communicator);
     void detect(const CellGrid<D>& grid, const std::vector<double>& radii, const WallContact<D>& walls,
-                std::size_t wallCount, int rank);
+                int rank);
     void append(int first, int second, const std::vector<Pair>& pairs);
 
     double skin_ = 0;

@@ -104,8 +104,7 @@ template <int D>
 void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions, double skin,
                                                            const std::vector<NamedImpulse<D>>& impulses)
 {
-    candidates_ = Candidates<D>(positions, grains_.radius, arrangement_.walls(), walls_.size(), skin, settings_.blocks,
-                                communicator_);
+    candidates_ = Candidates<D>(positions, grains_.radius, arrangement_.walls(), skin, settings_.blocks, communicator_);
     schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
     impulses_ = matchImpulses(candidates_, impulses);
     arrangement_.arrange(grains_, candidates_.order());

@@ -3,6 +3,7 @@
 
 #include "nscd/WallContact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nscd
@@ -34,12 +35,15 @@ WallContact<2>::WallContact(const Walls<2>& walls)
 {
     double longest = 0;
     std::vector<End> ends;
+    std::vector<Bounds<2>> boxes;
     for (std::size_t w = 0; w < walls.size(); ++w)
     {
         longest = std::max(longest, (walls[w].b - walls[w].a).norm());
+        boxes.push_back({walls[w].a.cwiseMin(walls[w].b), walls[w].a.cwiseMax(walls[w].b)});
         ends.push_back({static_cast<int>(w), 0});
         ends.push_back({static_cast<int>(w), 1});
     }
+    tree_ = BoxTree<2>(boxes, std::vector<int>(walls.size(), 0));
     const double same = 1e-9 * longest;
     const auto point = [&](const End& e) -> const Vector<2>& { return endPoint(walls_[e.wall], e.end); };
     std::sort(ends.begin(), ends.end(), [&](const End& p, const End& q) { return point(p).x() < point(q).x(); });

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/CellGrid.hpp"
+#include "nscd/BoxTree.hpp"
 #include "nscd/Walls.hpp"
 
 #include <array>
@@ -38,14 +38,19 @@ public:
     /// Nothing when another segment speaks for this one.
     std::optional<Approach<2>> approach(int wall, const Vector<2>& centre, double radius) const;
 
-    /// Call f(wall, lower corner, upper corner) with a box around every wall.
+    /// Call f(wall) for every wall nearer to x than 'reach'.
     template <class F>
-    void forBoxes(F&& f) const
+    void forNear(const Vector<2>& x, double reach, F&& f) const
     {
-        for (std::size_t w = 0; w < walls_.size(); ++w)
-        {
-            f(static_cast<int>(w), walls_[w].a.cwiseMin(walls_[w].b).eval(), walls_[w].a.cwiseMax(walls_[w].b).eval());
-        }
+        const Vector<2> margin = Vector<2>::Constant(reach);
+        tree_.forMeeting({x - margin, x + margin},
+                         [&](int wall)
+                         {
+                             if (distance(wall, x) < reach)
+                             {
+                                 f(wall);
+                             }
+                         });
     }
 
     /// Distance of a point to the nearest point of the wall [m].
@@ -64,6 +69,7 @@ private:
     };
 
     Walls<2> walls_;
+    BoxTree<2> tree_;
     std::vector<std::array<std::vector<End>, 2>> neighbours_;   ///< other segments at a's and b's joint
 };
 
@@ -80,10 +86,17 @@ public:
         return Approach<3>{-plane.normal, (centre - plane.point).dot(plane.normal) - radius};
     }
 
-    /// Half spaces have no box: f is not called.
+    /// Call f(wall) for every wall nearer to x than 'reach'.
     template <class F>
-    void forBoxes(F&&) const
+    void forNear(const Vector<3>& x, double reach, F&& f) const
     {
+        for (std::size_t wall = 0; wall < walls_.size(); ++wall)
+        {
+            if (distance(static_cast<int>(wall), x) < reach)
+            {
+                f(static_cast<int>(wall));
+            }
+        }
     }
 
     double distance(int wall, const Vector<3>& x) const

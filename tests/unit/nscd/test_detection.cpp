@@ -33,7 +33,7 @@ void expectAllNearPairs(double smallest, double stray)
     x[5][0] = stray;
     const double skin = 0.2;
     const nscd::Communicator communicator(MPI_COMM_SELF);
-    const nscd::Candidates<D> candidates(x, radius, nscd::WallContact<D>({}), 0, skin, 8, communicator);
+    const nscd::Candidates<D> candidates(x, radius, nscd::WallContact<D>({}), skin, 8, communicator);
 
     std::multiset<std::pair<int, int>> found;
     for (const nscd::Pair& pair : candidates.pairs())
@@ -85,7 +85,7 @@ TEST(Candidates, ContainNearWallsOnly)
     }
     const nscd::WallContact<2> shapes(walls);
     const nscd::Communicator communicator(MPI_COMM_SELF);
-    const nscd::Candidates<2> candidates(x, std::vector<double>(500, 0.6), shapes, 100, 0.3, 4, communicator);
+    const nscd::Candidates<2> candidates(x, std::vector<double>(500, 0.6), shapes, 0.3, 4, communicator);
     std::multiset<std::pair<int, int>> found, expected;
     for (const nscd::Pair& pair : candidates.pairs())
     {

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Conduction through a network of contacts.
+
+#include "Messages.hpp"
+
+#include "nscd/Conduction.hpp"
+#include "nscd/Random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using nscd::Conduction;
+using nscd::ContactForce;
+using nscd::ThermalContact;
+using nscd::ThermalWall;
+using nscd::Vector;
+
+namespace
+{
+
+/// Grains of unit radius and what touches what; the conductance of a contact is its normal force.
+struct Network
+{
+    nscd::Grains<3> grains;
+    std::vector<double> capacity;
+    std::vector<ContactForce<3>> contacts;
+    std::vector<ThermalWall> walls;
+    Conduction<3> conduction{{{1, 1, 0}}, 1, [](const ThermalContact& c) { return c.force; }};
+
+    void add(double temperature, double c = 1)
+    {
+        grains.resize(grains.size() + 1);
+        grains.radius.back() = 1;
+        grains.temperature.back() = temperature;
+        capacity.push_back(c);
+    }
+
+    void join(int i, int j, double conductance)
+    {
+        const Vector<3> n = Vector<3>::UnitX();
+        contacts.push_back({i, j, Vector<3>::Zero(), n, conductance * n, 0});
+    }
+
+    std::vector<double> advance(double dt)
+    {
+        const nscd::Heated heated = conduction.advance(grains, capacity, contacts, walls, dt);
+        grains.temperature = heated.temperature;
+        return heated.wallHeat;
+    }
+
+    /// Sum of C f(T).
+    template <class F>
+    double sum(F&& f) const
+    {
+        double total = 0;
+        for (std::size_t i = 0; i < capacity.size(); ++i)
+        {
+            total += capacity[i] * f(grains.temperature[i]);
+        }
+        return total;
+    }
+
+    double energy() const
+    {
+        return sum([](double t) { return t; });
+    }
+
+    double entropy() const
+    {
+        return sum([](double t) { return std::log(t); });
+    }
+};
+
+/// 300 grains in three loosely joined heaps, conductances and capacities over orders of magnitude.
+Network random(bool withWalls)
+{
+    Network network;
+    nscd::Random number(11);
+    for (int i = 0; i < 300; ++i)
+    {
+        network.add(number.uniform(300, 400), std::pow(10, number.uniform(-2, 2)));
+    }
+    for (int c = 0; c < 900; ++c)
+    {
+        const int heap = 100 * (c % 3);
+        const int i = heap + static_cast<int>(number.uniform(0, 100)),
+                  j = heap + static_cast<int>(number.uniform(0, 100));
+        if (i != j)
+        {
+            network.join(i, j, std::pow(10, number.uniform(-4, 1)));
+        }
+    }
+    if (withWalls)
+    {
+        network.walls = {{0, 350.0}, {0, 500.0}, {0, {}}};
+        for (int c = 0; c < 10; ++c)
+        {
+            network.join(c, ~0, 0.1 * (c + 1));
+            network.join(105 - c, ~1, 0.01);  // the first two heaps
+            network.join(250 + c, ~2, 1);
+        }
+    }
+    return network;
+}
+
+/// Temperature difference of two grains, C 2 and 3 J/K, H 1.2 W/K, after 1 s, over that at the start.
+double relaxation(int steps)
+{
+    Network pair;
+    pair.add(400, 2);
+    pair.add(300, 3);
+    pair.join(0, 1, 1.2);
+    for (int i = 0; i < steps; ++i)
+    {
+        pair.advance(1.0 / steps);
+    }
+    return (pair.grains.temperature[0] - pair.grains.temperature[1]) / 100;
+}
+
+}  // namespace
+
+TEST(Conduction, OfTwoGrainsRelaxesExponentially)
+{
+    // exp(-H t (1/C1 + 1/C2)); implicit Euler is 1/(1 + 1/n)^n, off by 1/(2 n)
+    const double exact = std::exp(-1.2 * (1.0 / 2 + 1.0 / 3));
+    EXPECT_NEAR(relaxation(500000) / exact, 1, 1.1e-6);
+    const double coarse = relaxation(50) - exact, fine = relaxation(100) - exact;
+    EXPECT_NEAR(coarse / fine, 2, 0.03);
+}
+
+TEST(Conduction, BetweenTwoWallsBecomesLinear)
+{
+    Network chain;
+    chain.walls = {{0, 300.0}, {0, 420.0}};
+    for (int i = 0; i < 9; ++i)
+    {
+        chain.add(350, 0.5 + i);
+        chain.join(i, i < 8 ? i + 1 : ~1, 2);
+    }
+    chain.join(0, ~0, 2);
+    std::vector<double> heat;
+    for (int step = 0; step < 400; ++step)
+    {
+        heat = chain.advance(10);
+    }
+    for (int i = 0; i < 9; ++i)
+    {
+        EXPECT_NEAR(chain.grains.temperature[i], 300 + 120 * (i + 1) / 10.0, 1e-6);
+    }
+    // Ten conductances of 2 W/K in series, for 10 s
+    EXPECT_NEAR(heat[1], 10 * 120 * 2 / 10.0, 1e-6);
+    EXPECT_NEAR(heat[0], -heat[1], 1e-6);
+}
+
+TEST(Conduction, ReachesTheSteadyStateInOneLongStep)
+{
+    Network chain;
+    chain.walls = {{0, 300.0}, {0, 420.0}};
+    for (int i = 0; i < 9; ++i)
+    {
+        chain.add(350);
+        chain.join(i, i < 8 ? i + 1 : ~1, 2);
+    }
+    chain.join(0, ~0, 2);
+    chain.advance(1e12);
+    for (int i = 0; i < 9; ++i)
+    {
+        EXPECT_NEAR(chain.grains.temperature[i], 300 + 120 * (i + 1) / 10.0, 1e-9);
+    }
+}
+
+TEST(Conduction, KeepsEnergyAndRaisesEntropy)
+{
+    for (const double dt : {1e-9, 1e-3, 1.0, 1e3, 1e9})
+    {
+        Network network = random(false);
+        const double energy = network.energy();
+        double entropy = network.entropy();
+        for (int step = 0; step < 20; ++step)
+        {
+            network.advance(dt);
+            EXPECT_NEAR(network.energy() / energy, 1, 1e-14);
+            EXPECT_GE(network.entropy(), entropy * (1 - 1e-14));  // round-off once all is even
+            entropy = network.entropy();
+        }
+    }
+}
+
+TEST(Conduction, ClosesTheLedgerWithTheWalls)
+{
+    for (const double dt : {1e-3, 1.0, 1e3, 1e9})
+    {
+        Network network = random(true);
+        for (int step = 0; step < 3; ++step)
+        {
+            const std::vector<double> before = network.grains.temperature;
+            const std::vector<double> heat = network.advance(dt);
+            double gained = 0, turnover = std::abs(heat[0]) + std::abs(heat[1]);
+            for (std::size_t i = 0; i < before.size(); ++i)
+            {
+                gained += network.capacity[i] * (network.grains.temperature[i] - before[i]);
+                turnover += std::abs(network.capacity[i] * (network.grains.temperature[i] - before[i]));
+            }
+            // The adiabatic heap's energy is kept to the round-off of its temperatures
+            const double roundOff = 1e-15 * network.energy();
+            EXPECT_NEAR(heat[0] + heat[1], gained, 1e-12 * turnover + roundOff);
+            EXPECT_EQ(heat[2], 0);
+        }
+    }
+}
+
+TEST(Conduction, LeavesNoGrainOutsideTheRangeOfTemperatures)
+{
+    for (const double dt : {1e-6, 1e-2, 1.0, 1e2, 1e4, 1e8, 1e12})
+    {
+        Network network = random(true);
+        for (int step = 0; step < 5; ++step)
+        {
+            network.advance(dt);
+            const auto [low, high] =
+                std::minmax_element(network.grains.temperature.begin(), network.grains.temperature.end());
+            EXPECT_GE(*low, 300 - 1e-9);
+            EXPECT_LE(*high, 500 + 1e-9);
+        }
+    }
+}
+
+TEST(Conduction, DoesNotTouchGrainsThatNothingTouches)
+{
+    Network network;
+    network.walls = {{0, 900.0}, {0, {}}};
+    for (const double t : {300.1, 350.7, 400.3})
+    {
+        network.add(t);
+    }
+    network.join(0, 1, 0);
+    network.join(1, ~0, 0);
+    network.join(2, ~1, 5);  // adiabatic
+    const std::vector<double> before = network.grains.temperature;
+    EXPECT_EQ(network.advance(1), std::vector<double>(2, 0.0));
+    EXPECT_EQ(network.grains.temperature, before);
+}
+
+TEST(Conduction, TakesTheNormalPartOfTheForceAndTheMaterialsOfBothBodies)
+{
+    nscd::Grains<3> grains;
+    grains.resize(2);
+    grains.radius = {1e-3, 2e-3};
+    grains.material = {1, 0};
+    const nscd::ThermalMaterial glass{1.4, 6e10, 0.22}, steel{50, 2.1e11, 0.3};
+    const Conduction<3> conduction({glass, steel});
+    const ContactForce<3> pair{0, 1, {0, 0, 0}, {0, 0, 1}, {5e-4, 2e-4, 1e-3}, 0};
+    EXPECT_DOUBLE_EQ(conduction.conductance(pair, grains, {}),
+                     nscd::conductance::spheres({steel, glass, 1e-3, 2e-3, 1e-3, 1}));
+    const ContactForce<3> wall{1, ~1, {0, 0, 0}, {0, 0, -1}, {5e-4, 2e-4, -1e-3}, 0};
+    EXPECT_DOUBLE_EQ(conduction.conductance(wall, grains, {{0, {}}, {1, 300.0}}),
+                     nscd::conductance::spheres({glass, steel, 2e-3, HUGE_VAL, 1e-3, 1}));
+}
+
+TEST(Conduction, OfAClusterHasTheRadiusOfTheMemberThatTouches)
+{
+    nscd::Grains<2> grains;
+    grains.resize(1);
+    grains.clusters = {nscd::makeRod<2>(3, 2)};
+    grains.shape[0] = 0;
+    grains.radius[0] = 0.01;
+    grains.position[0] = {1, 2};
+    grains.orientation[0] = nscd::Orientation<2>(M_PI / 2);  // upright: its foot is 0.01 below
+    const double member = 0.01 / 2;
+    const Conduction<2> conduction({{1, 1e9, 0.3}}, 1, [](const ThermalContact& c) { return c.firstRadius; });
+    const ContactForce<2> contact{0, ~0, {1, 1.99}, {0, -1}, {0, -1}, 0};
+    EXPECT_NEAR(conduction.conductance(contact, grains, {{0, {}}}), member, 1e-12);
+}
+
+TEST(Conduction, RefusesSenselessInput)
+{
+    const auto material = [](nscd::ThermalMaterial m) { return invalid([&] { Conduction<2>({{1, 1, 0}, m}); }); };
+    EXPECT_EQ(material({0, 1, 0}), "conduction: material 1: conductivity 0 W/m/K is not positive");
+    EXPECT_EQ(material({1, -1, 0}), "conduction: material 1: Young's modulus -1 Pa is not positive");
+    EXPECT_EQ(material({1, 1, 0.6}), "conduction: material 1: Poisson ratio 0.6 is not within (-1, 0.5]");
+    EXPECT_EQ(invalid([] { Conduction<2>({{1, 1, 0}}, 0); }), "conduction: length 0 m of the grains is not positive");
+
+    const auto network = [](auto&& spoil)
+    {
+        Network n;
+        n.walls = {{0, 300.0}};
+        n.add(300);
+        n.add(310);
+        n.join(0, 1, 1);
+        double dt = 1;
+        spoil(n, dt);
+        return invalid([&] { n.advance(dt); });
+    };
+    EXPECT_EQ(network([](Network&, double& dt) { dt = 0; }), "conduction: time step 0 s is not positive");
+    EXPECT_EQ(network([](Network& n, double&) { n.capacity.pop_back(); }),
+              "conduction: 2 grains but 1 heat capacities");
+    EXPECT_EQ(network([](Network& n, double&) { n.capacity[1] = 0; }),
+              "conduction: grain 1: heat capacity 0 J/K is not positive");
+    EXPECT_EQ(network([](Network& n, double&) { n.grains.temperature[0] = -3; }),
+              "conduction: grain 0: temperature -3 K is not positive");
+    EXPECT_EQ(network([](Network& n, double&) { n.walls[0].temperature = -3; }),
+              "conduction: wall 0: temperature -3 K is not positive");
+    EXPECT_EQ(network([](Network& n, double&) { n.grains.material[1] = 1; }),
+              "conduction: grain 1: material 1 is not one of 1");
+    EXPECT_EQ(network([](Network& n, double&) { n.walls[0].material = 4; }),
+              "conduction: wall 0: material 4 is not one of 1");
+    EXPECT_EQ(network([](Network& n, double&) { n.join(2, 1, 1); }), "conduction: contact 1: grain 2 is not one of 2");
+    EXPECT_EQ(network([](Network& n, double&) { n.join(0, 2, 1); }), "conduction: contact 1: grain 2 is not one of 2");
+    EXPECT_EQ(network([](Network& n, double&) { n.join(0, ~1, 1); }), "conduction: contact 1: wall 1 is not one of 1");
+}

@@ -35,7 +35,7 @@ template <int D>
 ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> walls, ContactTable table,
                                                    Settings settings, MPI_Comm communicator,
                                                    std::vector<WallBody<D>> wallBodies)
-    : grains_(std::move(grains)), walls_((validate(walls, table), std::move(walls))),
+    : grains_(std::move(grains)), walls_((validate<D>(walls, table, wallBodies), std::move(walls))),
       table_((validate(table), std::move(table))), settings_(settings), communicator_(communicator),
       wallBodies_(std::move(wallBodies)), arrangement_(walls_, table_)
 {

@@ -10,9 +10,6 @@
 namespace nscd
 {
 
-namespace
-{
-
 void checkMaterial(int material, const ContactTable& table, const std::string& owner)
 {
     if (material < 0 || material >= table.materials())
@@ -20,8 +17,6 @@ void checkMaterial(int material, const ContactTable& table, const std::string& o
         refuse(owner, ": material ", material, " is not one of the ", table.materials(), " of the contact table");
     }
 }
-
-}  // namespace
 
 template <int D>
 void validate(const Grains<D>& grains, const ContactTable& table)
@@ -69,41 +64,6 @@ void validate(const Grains<D>& grains, const ContactTable& table)
         checkPositive(grains.radius[i], "radius", "m");
         checkPositive(grains.mass[i], "mass", "kg");
         checkMaterial(grains.material[i], table, name);
-    }
-}
-
-void validate(const Walls<2>& walls, const ContactTable& table)
-{
-    for (std::size_t w = 0; w < walls.size(); ++w)
-    {
-        const std::string name = "wall " + std::to_string(w);
-        if (!isFinite(walls[w].a) || !isFinite(walls[w].b))
-        {
-            refuse(name, ": an end point is not finite");
-        }
-        if ((walls[w].b - walls[w].a).norm() == 0)
-        {
-            refuse(name, ": its two end points coincide at (", walls[w].a.x(), ", ", walls[w].a.y(), ")");
-        }
-        checkMaterial(walls[w].material, table, name);
-    }
-}
-
-void validate(const Walls<3>& walls, const ContactTable& table)
-{
-    for (std::size_t w = 0; w < walls.size(); ++w)
-    {
-        const std::string name = "wall " + std::to_string(w);
-        const Plane& plane = std::get<Plane>(walls[w]);
-        if (!isFinite(plane.point) || !isFinite(plane.normal))
-        {
-            refuse(name, ": point or normal is not finite");
-        }
-        if (std::abs(plane.normal.norm() - 1) > 1e-9)
-        {
-            refuse(name, ": its normal has length ", plane.normal.norm(), " instead of 1");
-        }
-        checkMaterial(plane.material, table, name);
     }
 }
 

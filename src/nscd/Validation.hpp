@@ -6,6 +6,7 @@
 #include "nscd/ContactDynamics.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace nscd
 {
@@ -14,10 +15,19 @@ namespace nscd
 template <int D>
 void validate(const Grains<D>& grains, const ContactTable& table);
 
-void validate(const Walls<2>& walls, const ContactTable& table);
-void validate(const Walls<3>& walls, const ContactTable& table);
+/// Walls with the bodies that carry them, at their initial place.  Refused are also segments without length, triangles
+/// flatter than 1e-9 of the extent of all triangles, and planes on a body that turns or is free to turn.
+template <int D>
+void validate(const Walls<D>& walls, const ContactTable& table, const std::vector<WallBody<D>>& bodies);
+
+/// May a wall body have this spin?  A body that carries a plane must not turn.
+template <int D>
+void checkSpin(const Walls<D>& walls, int body, const Spin<D>& spin);
+
 void validate(const Settings& settings);
 void validate(const ContactTable& table);
+
+void checkMaterial(int material, const ContactTable& table, const std::string& owner);
 
 /// std::isfinite of all components; raises no floating-point exception.
 template <class V>

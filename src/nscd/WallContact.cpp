@@ -3,8 +3,7 @@
 
 #include "nscd/WallContact.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "nscd/Check.hpp"
 
 namespace nscd
 {
@@ -12,118 +11,237 @@ namespace nscd
 namespace
 {
 
-double cross(const Vector<2>& a, const Vector<2>& b)
+/// Facets that rise above each other by less than this angle [rad] are in one plane.
+constexpr double flat = 1e-5;
+
+Facet<2> cornersOf(const Segment& wall)
 {
-    return a.x() * b.y() - a.y() * b.x();
+    return {wall.a, wall.b};
 }
 
-const Vector<2>& endPoint(const Segment& wall, int end)
+Facet<3> cornersOf(const std::variant<Plane, Triangle>& wall)
 {
-    return end == 0 ? wall.a : wall.b;
+    const Triangle& triangle = std::get<Triangle>(wall);
+    return {triangle.a, triangle.b, triangle.c};
 }
 
-/// Which end a projection has run beyond: 0, 1, or -1 for none.
-int endBeyond(double projection)
+const Plane* planeOf(const std::variant<Plane, Triangle>& wall)
 {
-    return projection <= 0 ? 0 : projection >= 1 ? 1 : -1;
+    return std::get_if<Plane>(&wall);
 }
 
 }  // namespace
 
-WallContact<2>::WallContact(const Walls<2>& walls)
-    : walls_(walls), neighbours_(walls.size())
+template <int D>
+WallContact<D>::WallContact(const Walls<D>& walls)
 {
-    double longest = 0;
-    std::vector<End> ends;
-    std::vector<Bounds<2>> boxes;
+    std::vector<Facet<D>> facets;
+    std::vector<int> facetBody;
     for (std::size_t w = 0; w < walls.size(); ++w)
     {
-        longest = std::max(longest, (walls[w].b - walls[w].a).norm());
-        boxes.push_back({walls[w].a.cwiseMin(walls[w].b), walls[w].a.cwiseMax(walls[w].b)});
-        ends.push_back({static_cast<int>(w), 0});
-        ends.push_back({static_cast<int>(w), 1});
-    }
-    tree_ = BoxTree<2>(boxes, std::vector<int>(walls.size(), 0));
-    const double same = 1e-9 * longest;
-    const auto point = [&](const End& e) -> const Vector<2>& { return endPoint(walls_[e.wall], e.end); };
-    std::sort(ends.begin(), ends.end(), [&](const End& p, const End& q) { return point(p).x() < point(q).x(); });
-    for (std::size_t p = 0; p < ends.size(); ++p)
-    {
-        for (std::size_t q = p + 1; q < ends.size() && point(ends[q]).x() - point(ends[p]).x() <= same; ++q)
+        const int wall = static_cast<int>(w);
+        body_.push_back(bodyOf(walls[w]));
+        if constexpr (D == 3)
         {
-            if ((point(ends[q]) - point(ends[p])).norm() <= same && ends[p].wall != ends[q].wall)
+            if (const Plane* plane = planeOf(walls[w]))
             {
-                neighbours_[ends[p].wall][ends[p].end].push_back(ends[q]);
-                neighbours_[ends[q].wall][ends[q].end].push_back(ends[p]);
+                facetOf_.push_back(~static_cast<int>(halfSpaces_.size()));
+                halfSpaces_.push_back({plane->point, plane->point, plane->normal, wall});
+                continue;
             }
         }
+        facetOf_.push_back(static_cast<int>(facets.size()));
+        wallOf_.push_back(wall);
+        facets.push_back(cornersOf(walls[w]));
+        facetBody.push_back(body_.back());
     }
+    mesh_ = WallMesh<D>(facets, facetBody);
+    tree_ = BoxTree<D>(mesh_.bounds(), facetBody);
 }
 
-double WallContact<2>::projection(int wall, const Vector<2>& x) const
+template <int D>
+double WallContact<D>::height(const HalfSpace& halfSpace, const Vector<D>& x) const
 {
-    const Vector<2> along = walls_[wall].b - walls_[wall].a;
-    return (x - walls_[wall].a).dot(along) / along.squaredNorm();
+    return (x - halfSpace.point).dot(halfSpace.normal);
 }
 
-double WallContact<2>::distance(int wall, const Vector<2>& x) const
+template <int D>
+double WallContact<D>::distance(int wall, const Vector<D>& x) const
 {
-    const double t = std::min(1.0, std::max(0.0, projection(wall, x)));
-    return (walls_[wall].a + t * (walls_[wall].b - walls_[wall].a) - x).norm();
+    const int facet = facetOf_[wall];
+    return facet < 0 ? height(halfSpaces_[~facet], x) : (mesh_.nearest(facet, x).point - x).norm();
 }
 
-Approach<2> WallContact<2>::approachPoint(const Vector<2>& point, int wall, const Vector<2>& centre,
+template <int D>
+Approach<D> WallContact<D>::approachPlane(int facet, const Vector<D>& centre, double radius) const
+{
+    const double height = mesh_.height(facet, centre);
+    return {height < 0 ? mesh_.normal(facet) : Vector<D>(-mesh_.normal(facet)), std::abs(height) - radius};
+}
+
+template <int D>
+Approach<D> WallContact<D>::approachJoint(int facet, const Vector<D>& point, const Vector<D>& centre,
                                           double radius) const
 {
-    const Vector<2> toWall = point - centre;
+    const Vector<D> toWall = point - centre;
     const double distance = toWall.norm();
-    if (distance > 0)
+    if (distance > mesh_.roundOff())
     {
         return {toWall / distance, distance - radius};
     }
-    const Vector<2> along = (walls_[wall].b - walls_[wall].a).normalized();
-    return {Vector<2>(along.y(), -along.x()), -radius};   // centre on the wall: push it to the left of a -> b
+    return {-mesh_.normal(facet), -radius};   // centre on the joint: push it to the side of the facet's normal
 }
 
-std::optional<Approach<2>> WallContact<2>::approach(int wall, const Vector<2>& centre, double radius) const
+template <int D>
+std::optional<Approach<D>> WallContact<D>::approach(int wall, const Vector<D>& centre, double radius) const
 {
-    const double t = projection(wall, centre);
-    const int end = endBeyond(t);
-    if (end < 0)
+    const int facet = facetOf_[wall];
+    if (facet < 0)
     {
-        return approachPoint(walls_[wall].a + t * (walls_[wall].b - walls_[wall].a), wall, centre, radius);
+        const HalfSpace& halfSpace = halfSpaces_[~facet];
+        return Approach<D>{-halfSpace.normal, height(halfSpace, centre) - radius};
     }
-    return approachJoint(wall, end, centre, radius);
-}
+    const Foot<D> foot = mesh_.nearest(facet, centre);
+    if (foot.joint < 0)
+    {
+        return approachPlane(facet, centre, radius);
+    }
 
-std::optional<Approach<2>> WallContact<2>::approachJoint(int wall, int end, const Vector<2>& centre,
-                                                         double radius) const
-{
-    const Vector<2>& joint = endPoint(walls_[wall], end);
+    bool nearest = true;
     bool first = true;
-    for (const End& other : neighbours_[wall][end])
-    {
-        if (endBeyond(projection(other.wall, centre)) == other.end)
-        {
-            first = first && wall < other.wall;
-            continue;
-        }
-        const Vector<2> alongOther = endPoint(walls_[other.wall], 1 - other.end) - joint;
-        const Vector<2> along = endPoint(walls_[wall], 1 - end) - joint;
-        const double grainSide = cross(alongOther, centre - joint);
-        const double wallSide = cross(alongOther, along);
-        if (grainSide * wallSide <= 0 || std::abs(wallSide) < 1e-9 * along.norm() * alongOther.norm())
-        {
-            return std::nullopt;
-        }
-        const double t = projection(wall, centre);   // concave: the segment continued beyond the joint
-        return approachPoint(walls_[wall].a + t * (walls_[wall].b - walls_[wall].a), wall, centre, radius);
-    }
-    if (!first)
+    bool planeIsTaken = false;
+    mesh_.forFacetsAt(foot.joint,
+                      [&](int other)
+                      {
+                          if (other == facet || planeIsTaken)
+                          {
+                              return;
+                          }
+                          const bool nearer = mesh_.nearest(other, centre).joint != foot.joint;
+                          nearest = nearest && !nearer;
+                          first = first && (nearer || facet < other);
+                          planeIsTaken = (nearer || other < facet) && coplanar(facet, other, foot.joint);
+                      });
+    if (planeIsTaken)
     {
         return std::nullopt;
     }
-    return approachPoint(joint, wall, centre, radius);
+    if (nearest)
+    {
+        return first ? std::optional(approachJoint(facet, foot.point, centre, radius)) : std::nullopt;
+    }
+    const Approach<D> continued = approachPlane(facet, centre, radius);
+    return continued.gap > 0 && inHollow(facet, centre) ? std::optional(continued) : std::nullopt;
 }
+
+template <int D>
+bool WallContact<D>::inHollow(int facet, const Vector<D>& x) const
+{
+    for (;;)
+    {
+        const Foot<D> foot = mesh_.nearest(facet, x);
+        if (foot.joint < 0)
+        {
+            return true;
+        }
+        bool hollow = true;
+        int next = -1;
+        double shortest = 0;
+        mesh_.forFacetsAt(foot.joint,
+                          [&](int other)
+                          {
+                              const Foot<D> otherFoot = mesh_.nearest(other, x);
+                              if (!hollow || otherFoot.joint == foot.joint)
+                              {
+                                  return;
+                              }
+                              hollow = bentTowards(facet, other, foot.joint, x);
+                              const double square = (otherFoot.point - x).squaredNorm();
+                              if (next < 0 || square < shortest)
+                              {
+                                  next = other;
+                                  shortest = square;
+                              }
+                          });
+        if (!hollow)
+        {
+            return false;
+        }
+        if (next < 0)
+        {
+            const double height = mesh_.height(facet, x);
+            return (x - height * mesh_.normal(facet) - foot.point).norm() <= 4 * mesh_.roundOff();
+        }
+        facet = next;
+    }
+}
+
+template <int D>
+bool WallContact<D>::bentTowards(int a, int b, int joint, const Vector<D>& x) const
+{
+    const auto rises = [&](int facet, int above)
+    {
+        const Lean lean = mesh_.lean(facet, joint, above);
+        return mesh_.height(above, x) < 0 ? lean.highest < flat : lean.lowest > -flat;
+    };
+    return rises(a, b) && rises(b, a);
+}
+
+template <int D>
+bool WallContact<D>::coplanar(int a, int b, int joint) const
+{
+    const auto lies = [&](int facet, int above)
+    {
+        const Lean lean = mesh_.lean(facet, joint, above);
+        return lean.highest < flat && lean.lowest > -flat;
+    };
+    return lies(a, b) && lies(b, a);
+}
+
+template <int D>
+void WallContact<D>::place(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& now)
+{
+    const auto motions = rigidMotions<D>(initial, now);
+    for (HalfSpace& halfSpace : halfSpaces_)
+    {
+        const int body = body_[halfSpace.wall];
+        if (body < 0)
+        {
+            continue;
+        }
+        if (motions[body].turn.cwiseAbs().maxCoeff() > 1e-12)
+        {
+            refuse("wall ", halfSpace.wall, ": a plane cannot turn with its body ", body, "; make it of triangles");
+        }
+        halfSpace.point = halfSpace.initialPoint + motions[body].shift;
+    }
+    mesh_.move(motions);
+    tree_.refit(mesh_.bounds());
+}
+
+template <int D>
+double WallContact<D>::farthestMove(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& before,
+                                    const std::vector<WallBody<D>>& after) const
+{
+    double farthest = mesh_.farthestMove(rigidMotions<D>(initial, before), rigidMotions<D>(initial, after));
+    for (const HalfSpace& halfSpace : halfSpaces_)
+    {
+        const int body = body_[halfSpace.wall];
+        if (body >= 0)
+        {
+            farthest = std::max(farthest, (after[body].position - before[body].position).norm());
+        }
+    }
+    return farthest;
+}
+
+template <int D>
+Vector<D> WallContact<D>::velocity(int wall, const Vector<D>& x, const std::vector<WallBody<D>>& now) const
+{
+    return body_[wall] < 0 ? Vector<D>(Vector<D>::Zero()) : velocityAt(now[body_[wall]], x);
+}
+
+template class WallContact<2>;
+template class WallContact<3>;
 
 }  // namespace nscd

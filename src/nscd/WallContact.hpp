@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include "nscd/BoxTree.hpp"
-#include "nscd/Walls.hpp"
+#include "nscd/WallMesh.hpp"
 
-#include <array>
 #include <optional>
 
 namespace nscd
@@ -20,93 +18,99 @@ struct Approach
     double gap;         ///< [m], negative when they overlap
 };
 
-/// How a grain meets fixed walls.
+/// How a grain meets walls, fixed or moving.
+///
+/// A half space is met by its plane.  A segment or triangle - a facet - is met at its point nearest to the grain's
+/// centre, from either side.  Facets of the same body (-1 is one of them) that share a corner or an edge are one
+/// surface.  When the nearest point lies on such a joint:
+///  - Flat or convex joint: where no facet of the joint has a nearer point, the joint is one contact, which the facet
+///    with the lowest number carries; otherwise the contact is left to the nearer facets.
+///  - Concave joint: a facet that forms a hollow with the facets between it and the grain, the grain inside, is
+///    continued beyond the joint, so that a fast grain meets it in time.  The grain must be above one of these facets
+///    and not yet touch the continued one.  (A facet behind a ridge is not met.)
+///
+/// So a grain that rolls over flat or convex joints always has one contact, in a concave angle one with either side.
+/// The same holds where corners lie on the free edge of a neighbour.  An edge that stands in the middle of another
+/// facet is no joint: a grain that approaches it also has a contact with that edge, as long as the edge is the nearest
+/// point of its facet.  A grain that rolls from the walls of one body to those of another feels the edges between them.
 template <int D>
-class WallContact;
-
-/// Segments.  The contact is at the nearest point of a segment; what the two segments of a joint do together:
-///  - flat or convex joint: the segment above which the centre lies, or, where the joint itself is nearest, the
-///    one contact with it, which the first of its segments carries;
-///  - concave joint (the grain sits inside the angle): both segments, each continued beyond the joint, so that a
-///    fast grain meets the second one in time.
-template <>
-class WallContact<2>
+class WallContact
 {
 public:
-    explicit WallContact(const Walls<2>& walls);
+    /// The walls must have passed validate().
+    explicit WallContact(const Walls<D>& walls);
 
-    /// Nothing when another segment speaks for this one.
-    std::optional<Approach<2>> approach(int wall, const Vector<2>& centre, double radius) const;
+    /// Nothing when other facets speak for this one.
+    std::optional<Approach<D>> approach(int wall, const Vector<D>& centre, double radius) const;
 
-    /// Call f(wall) for every wall nearer to x than 'reach'.
+    /// Distance of a point to the nearest point of a wall [m]; negative inside a half space.
+    double distance(int wall, const Vector<D>& x) const;
+
+    /// Call f(wall) for every wall nearer to x than 'reach' [m], always in the same order.
     template <class F>
-    void forNear(const Vector<2>& x, double reach, F&& f) const
-    {
-        const Vector<2> margin = Vector<2>::Constant(reach);
-        tree_.forMeeting({x - margin, x + margin},
-                         [&](int wall)
-                         {
-                             if (distance(wall, x) < reach)
-                             {
-                                 f(wall);
-                             }
-                         });
-    }
+    void forNear(const Vector<D>& x, double reach, F&& f) const;
 
-    /// Distance of a point to the nearest point of the wall [m].
-    double distance(int wall, const Vector<2>& x) const;
+    /// Move the walls with their bodies, from where they were given with the bodies at 'initial'.
+    /// Throws std::invalid_argument when a body with a plane has turned.
+    void place(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& now);
+
+    /// Largest distance that a point of the walls has moved between two places of the bodies [m].
+    double farthestMove(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& before,
+                        const std::vector<WallBody<D>>& after) const;
+
+    /// Velocity of the material point of a wall that is at x [m/s]; zero for a fixed wall.
+    Vector<D> velocity(int wall, const Vector<D>& x, const std::vector<WallBody<D>>& now) const;
 
 private:
-    /// Position along the wall as a fraction of its length, not yet restricted to [0, 1].
-    double projection(int wall, const Vector<2>& x) const;
-    Approach<2> approachPoint(const Vector<2>& point, int wall, const Vector<2>& centre, double radius) const;
-    std::optional<Approach<2>> approachJoint(int wall, int end, const Vector<2>& centre, double radius) const;
-
-    struct End
+    struct HalfSpace
     {
+        Vector<D> initialPoint, point, normal;
         int wall;
-        int end;   ///< 0: a, 1: b
     };
 
-    Walls<2> walls_;
-    BoxTree<2> tree_;
-    std::vector<std::array<std::vector<End>, 2>> neighbours_;   ///< other segments at a's and b's joint
+    double height(const HalfSpace& halfSpace, const Vector<D>& x) const;
+    Approach<D> approachPlane(int facet, const Vector<D>& centre, double radius) const;
+    Approach<D> approachJoint(int facet, const Vector<D>& point, const Vector<D>& centre, double radius) const;
+
+    /// Does a facet form a hollow with the facets on the way to the one above which x lies, as seen from there?
+    bool inHollow(int facet, const Vector<D>& x) const;
+
+    /// Do two facets of a joint rise against each other, or lie in one plane, as seen from x?
+    bool bentTowards(int a, int b, int joint, const Vector<D>& x) const;
+
+    bool coplanar(int a, int b, int joint) const;
+
+    std::vector<int> body_;                ///< of each wall
+    std::vector<int> facetOf_;             ///< of each wall; half space h: ~h
+    std::vector<int> wallOf_;              ///< of each facet
+    std::vector<HalfSpace> halfSpaces_;
+    WallMesh<D> mesh_;
+    BoxTree<D> tree_;                      ///< of the facets
 };
 
-/// Planes.
-template <>
-class WallContact<3>
+template <int D>
+template <class F>
+void WallContact<D>::forNear(const Vector<D>& x, double reach, F&& f) const
 {
-public:
-    explicit WallContact(const Walls<3>& walls) : walls_(walls) {}
-
-    std::optional<Approach<3>> approach(int wall, const Vector<3>& centre, double radius) const
+    for (const HalfSpace& halfSpace : halfSpaces_)
     {
-        const Plane& plane = std::get<Plane>(walls_[wall]);
-        return Approach<3>{-plane.normal, (centre - plane.point).dot(plane.normal) - radius};
-    }
-
-    /// Call f(wall) for every wall nearer to x than 'reach'.
-    template <class F>
-    void forNear(const Vector<3>& x, double reach, F&& f) const
-    {
-        for (std::size_t wall = 0; wall < walls_.size(); ++wall)
+        if (height(halfSpace, x) < reach)
         {
-            if (distance(static_cast<int>(wall), x) < reach)
-            {
-                f(static_cast<int>(wall));
-            }
+            f(halfSpace.wall);
         }
     }
+    const Vector<D> margin = Vector<D>::Constant(reach);
+    tree_.forMeeting({x - margin, x + margin},
+                     [&](int facet)
+                     {
+                         if ((mesh_.nearest(facet, x).point - x).squaredNorm() < reach * reach)
+                         {
+                             f(wallOf_[facet]);
+                         }
+                     });
+}
 
-    double distance(int wall, const Vector<3>& x) const
-    {
-        const Plane& plane = std::get<Plane>(walls_[wall]);
-        return (x - plane.point).dot(plane.normal);
-    }
-
-private:
-    Walls<3> walls_;
-};
+extern template class WallContact<2>;
+extern template class WallContact<3>;
 
 }  // namespace nscd

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/BoxTree.hpp"
+#include "nscd/WallJoints.hpp"
+#include "nscd/WallMotion.hpp"
+
+namespace nscd
+{
+
+/// The nearest point of a facet.
+template <int D>
+struct Foot
+{
+    Vector<D> point;
+    int joint;   ///< edge or corner it lies on; -1: inside the facet
+};
+
+/// Sines of the angles under which something rises above a plane.
+struct Lean
+{
+    double lowest, highest;
+};
+
+/// Segments or triangles, where they are now.
+template <int D>
+class WallMesh
+{
+public:
+    WallMesh() = default;
+    WallMesh(const std::vector<Facet<D>>& facets, const std::vector<int>& bodies);
+
+    int facets() const { return static_cast<int>(normal_.size()); }
+
+    Foot<D> nearest(int facet, const Vector<D>& x) const;
+
+    /// Unit normal; a segment's is on the left of a -> b, and from there a triangle runs anticlockwise.
+    const Vector<D>& normal(int facet) const { return normal_[facet]; }
+
+    /// Height of a point above the plane of a facet [m].
+    double height(int facet, const Vector<D>& x) const;
+
+    /// Call f(facet) for all facets that meet in a joint, in the order of their numbers.
+    template <class F>
+    void forFacetsAt(int joint, F&& f) const
+    {
+        for (std::size_t k = joints_.facetBegin[joint]; k < joints_.facetBegin[joint + 1]; ++k)
+        {
+            f(joints_.facet[k]);
+        }
+    }
+
+    /// How a facet rises from a joint above the plane of another one.
+    Lean lean(int facet, int joint, int above) const;
+
+    /// Round-off of distances [m].
+    double roundOff() const { return roundOff_; }
+
+    /// Boxes around the facets.
+    std::vector<Bounds<D>> bounds() const;
+
+    /// Go where the bodies are that have moved like this; body -1 stays.
+    void move(const std::vector<RigidMotion<D>>& motions);
+
+    /// Largest distance between the same corner after two sets of motions [m].
+    double farthestMove(const std::vector<RigidMotion<D>>& before, const std::vector<RigidMotion<D>>& after) const;
+
+private:
+    struct Side
+    {
+        Vector<D> inward;   ///< unit vector in the facet's plane, normal to its edge
+        int corner, edge;
+    };
+
+    struct Edge
+    {
+        Vector<D> along;    ///< unit vector
+        double length;
+        int from;
+    };
+
+    void measure(int facet);
+    void measureEdges();
+
+    WallJoints<D> joints_;
+    Vectors<D> corner_;   ///< where they are now
+    Vectors<D> normal_;
+    std::vector<Side> sides_;
+    std::vector<Edge> edges_;
+    double roundOff_ = 0;
+};
+
+template <>
+Foot<2> WallMesh<2>::nearest(int facet, const Vector<2>& x) const;
+template <>
+Foot<3> WallMesh<3>::nearest(int facet, const Vector<3>& x) const;
+
+}  // namespace nscd

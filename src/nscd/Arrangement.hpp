@@ -11,44 +11,54 @@
 namespace nscd
 {
 
-/// What contact geometry needs of the grains, in solver order, and the walls.
+/// What contact geometry needs of the grains' members, in solver order, and the walls.
 template <int D>
 class Arrangement
 {
 public:
-    Arrangement(const Walls<D>& walls, const ContactTable& table)
-        : walls_(walls), table_(table)
+    Arrangement(const Walls<D>& walls, const ContactTable& table, const std::array<double, 3>& period)
+        : walls_(walls), table_(table), period_(period),
+          periodic_(*std::max_element(period.begin(), period.end()) > 0)
     {
         for (const auto& wall : walls)
         {
             wallMaterial_.push_back(materialOf(wall));
+            wallBody_.push_back(bodyOf(wall));
         }
     }
 
     const WallContact<D>& walls() const { return walls_; }
-    std::size_t wallCount() const { return wallMaterial_.size(); }
+    WallContact<D>& walls() { return walls_; }
 
     /// Take over radii and materials in a new order, and positions.
-    void arrange(const Grains<D>& grains, const std::vector<int>& order)
+    void arrange(const Grains<D>& grains, const Members<D>& members, const Candidates<D>& candidates)
     {
-        const std::size_t n = order.size();
-        radius_.resize(n);
-        material_.resize(n);
-        for (std::size_t k = 0; k < n; ++k)
+        const std::vector<int>& order = candidates.memberOrder();
+        radius_.resize(order.size());
+        material_.resize(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k)
         {
-            radius_[k] = grains.radius[order[k]];
-            material_[k] = grains.material[order[k]];
+            radius_[k] = members.radius()[order[k]];
+            material_[k] = grains.material[members.grain(order[k])];
         }
-        move(grains, order);
+        move(grains, members, candidates);
     }
 
     /// Take over positions.
-    void move(const Grains<D>& grains, const std::vector<int>& order)
+    void move(const Grains<D>& grains, const Members<D>& members, const Candidates<D>& candidates)
     {
+        const std::vector<int>& order = candidates.memberOrder();
         position_.resize(order.size());
+        arm_.resize(members.simple() ? 0 : order.size());
         for (std::size_t k = 0; k < order.size(); ++k)
         {
-            position_[k] = grains.position[order[k]];
+            const int grain = members.grain(order[k]);
+            position_[k] = grains.position[grain];
+            if (!members.simple())
+            {
+                arm_[k] = members.arm(order[k], grains.orientation[grain]);
+                position_[k] += arm_[k];
+            }
         }
     }
 
@@ -61,7 +71,7 @@ public:
         {
             return walls_.approach(~pair.second, x, radius);
         }
-        const Vector<D> toSecond = position_[pair.second] - x;
+        const Vector<D> toSecond = separation(pair);
         const double distance = toSecond.norm();
         const double gap = distance - radius - radius_[pair.second];
         if (distance > 0)
@@ -77,17 +87,55 @@ public:
         if (pair.second >= 0)
         {
             const double touching = radius_[pair.first] + radius_[pair.second];
-            const double square = (position_[pair.second] - position_[pair.first]).squaredNorm();
+            const double square = separation(pair).squaredNorm();
             return square < touching * touching ? touching - std::sqrt(square) : 0;
         }
         const auto wall = approach(pair);
         return wall ? std::max(0.0, -wall->gap) : 0;
     }
 
+    /// From the centre of the first body to the contact, and the same for the second member's body [m].
+    Vector<D> firstArm(const Pair& pair, const Approach<D>& approach) const
+    {
+        const Vector<D> toContact = (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
+        return arm_.empty() ? toContact : Vector<D>(arm_[pair.first] + toContact);
+    }
+
+    Vector<D> secondArm(const Pair& pair, const Approach<D>& approach) const
+    {
+        const Vector<D> toContact = -(radius_[pair.second] + 0.5 * approach.gap) * approach.normal;
+        return arm_.empty() ? toContact : Vector<D>(arm_[pair.second] + toContact);
+    }
+
+    /// The point in the middle of gap or overlap [m].
+    Vector<D> contactPoint(const Pair& pair, const Approach<D>& approach) const
+    {
+        return position_[pair.first] + (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
+    }
+
+    /// Is one of the pair part of a cluster?
+    bool isOfCluster(const Pair& pair) const
+    {
+        return !arm_.empty() &&
+               (!arm_[pair.first].isZero(0) || (pair.second >= 0 && !arm_[pair.second].isZero(0)));
+    }
+
+    bool hasClusters() const { return !arm_.empty(); }
+
+    /// Body that a wall belongs to; -1 when it is fixed.
+    int wallBody(int wall) const { return wallBody_[wall]; }
+
     /// Smallest radius of a pair [m].
     double radius(const Pair& pair) const
     {
         return pair.second < 0 ? radius_[pair.first] : std::min(radius_[pair.first], radius_[pair.second]);
+    }
+
+    /// R with 1/R = 1/R_i + 1/R_j [m].
+    double effectiveRadius(const Pair& pair) const
+    {
+        const double r = radius_[pair.first];
+        return pair.second < 0 ? r : r * radius_[pair.second] / (r + radius_[pair.second]);
     }
 
     const ContactParameters& parameters(const Pair& pair) const
@@ -96,10 +144,28 @@ public:
     }
 
 private:
+    Vector<D> separation(const Pair& pair) const
+    {
+        Vector<D> toSecond = position_[pair.second] - position_[pair.first];
+        if (periodic_)
+        {
+            for (int d = 0; d < D; ++d)
+            {
+                if (period_[d] > 0)
+                {
+                    toSecond[d] -= period_[d] * std::round(toSecond[d] / period_[d]);
+                }
+            }
+        }
+        return toSecond;
+    }
+
     WallContact<D> walls_;
     ContactTable table_;
-    std::vector<int> wallMaterial_;
-    Vectors<D> position_;
+    std::array<double, 3> period_;
+    bool periodic_;
+    std::vector<int> wallMaterial_, wallBody_;
+    Vectors<D> position_, arm_;
     std::vector<double> radius_;
     std::vector<int> material_;
 };

@@ -4,6 +4,10 @@
 #include "nscd/Candidates.hpp"
 
 #include "nscd/Bisection.hpp"
+#include "nscd/Neighbours.hpp"
+
+#include <cmath>
+#include <numeric>
 
 namespace nscd
 {
@@ -15,117 +19,139 @@ namespace
 /// not, so that the processor can work on several at once.
 constexpr std::size_t streams = 4;
 
+double mean(const std::vector<double>& values)
+{
+    return values.empty() ? 1.0 : std::accumulate(values.begin(), values.end(), 0.0) / values.size();
+}
+
+/// Positions moved by whole periods into [0, period).
+template <int D>
+Vectors<D> wrapped(Vectors<D> positions, const std::array<double, 3>& period)
+{
+    for (int d = 0; d < D; ++d)
+    {
+        if (period[d] > 0)
+        {
+            for (Vector<D>& x : positions)
+            {
+                x[d] -= period[d] * std::floor(x[d] / period[d]);
+            }
+        }
+    }
+    return positions;
+}
+
 }  // namespace
 
 template <int D>
-struct Candidates<D>::Seat
+Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, const Orientations<D>& orientations,
+                          const Communicator& communicator)
+    : skin_(watch.skin), positions_(positions), orientations_(orientations)
 {
-    Vector<D> x;
-    double radius;
-    int place;
-};
+    const Vectors<D> members = wrapped<D>(watch.members.positions(positions, orientations), watch.period);
+    sort(watch, members, wrapped<D>(positions, watch.period), communicator);
 
-template <int D>
-Candidates<D>::Candidates(const Vectors<D>& positions, const std::vector<double>& radii, const WallContact<D>& walls,
-                          double skin, int blocks, const Communicator& communicator)
-    : skin_(skin), positions_(positions)
-{
-    const double largest = radii.empty() ? 1.0 : *std::max_element(radii.begin(), radii.end());
-    const CellGrid<D> grid(positions, 2 * largest + skin);
-    sort(grid, blocks, communicator);
-    detect(grid, radii, walls, communicator.rank());
-}
-
-template <int D>
-void Candidates<D>::sort(const CellGrid<D>& grid, int blocks, const Communicator& communicator)
-{
-    const std::size_t n = positions_.size();
-    const std::vector<int> block = bisect<D>(positions_, blocks);
-
-    blockBegin_.assign(blocks + 1, 0);
-    for (const int b : block)
+    Vectors<D> x(members.size());
+    std::vector<double> radii(members.size());
+    for (std::size_t m = 0; m < members.size(); ++m)
     {
-        ++blockBegin_[b + 1];
+        x[memberPlace_[m]] = members[m];
+        radii[memberPlace_[m]] = watch.members.radius()[m];
     }
-    for (int b = 0; b < blocks; ++b)
+    const Neighbours<D> neighbours(x, radii, watch.skin, watch.period);
+    const int grainBlocks = static_cast<int>(memberBegin_.size()) - 1;
+    std::vector<std::vector<Pair>> found(grainBlocks + 1);
+    for (int block = 0; block < grainBlocks; ++block)
     {
-        blockBegin_[b + 1] += blockBegin_[b];
-    }
-
-    order_.resize(n);
-    place_.resize(n);
-    blockOf_.resize(n);
-    std::vector<int> next(blockBegin_.begin(), blockBegin_.end() - 1);
-    for (const int grain : grid.members())
-    {
-        const int place = next[block[grain]]++;
-        order_[place] = grain;
-        place_[grain] = place;
-        blockOf_[place] = block[grain];
-    }
-
-    const int ranks = communicator.size();
-    blockRank_.resize(blocks);
-    rankBegin_.assign(ranks + 1, n);
-    for (int b = blocks - 1; b >= 0; --b)
-    {
-        blockRank_[b] = static_cast<int>(static_cast<std::int64_t>(b) * ranks / blocks);
-        std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[b] + 1, blockBegin_[b]);
-    }
-    std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[0] + 1, 0);
-}
-
-template <int D>
-void Candidates<D>::detect(const CellGrid<D>& grid, const std::vector<double>& radii, const WallContact<D>& walls,
-                           int rank)
-{
-    std::vector<Seat> seats;
-    seats.reserve(order_.size());
-    for (const int grain : grid.members())
-    {
-        seats.push_back({positions_[grain], radii[grain], place_[grain]});
-    }
-
-    const int blocks = this->blocks();
-    std::vector<std::vector<Pair>> found(blocks);
-    for (int block = 0; block < blocks; ++block)
-    {
-        if (blockRank_[block] != rank)
+        if (blockRank_[block] != communicator.rank())
         {
             continue;
         }
-        for (int i = blockBegin_[block]; i < blockBegin_[block + 1]; ++i)
+        for (int i = memberBegin_[block]; i < memberBegin_[block + 1]; ++i)
         {
-            const Vector<D>& x = positions_[order_[i]];
-            const double reach = radii[order_[i]] + skin_;
-            const auto centre = grid.coordinates(x);
-            auto first = centre;
-            auto last = centre;
-            for (int d = 0; d < D; ++d)
-            {
-                --first[d];
-                ++last[d];
-            }
-            grid.forCells(first, last,
-                          [&](std::size_t cell)
-                          {
-                              for (int s = grid.begin()[cell]; s < grid.begin()[cell + 1]; ++s)
-                              {
-                                  const Seat& other = seats[s];
-                                  const double distance = reach + other.radius;
-                                  if (other.place > i && (other.x - x).squaredNorm() < distance * distance)
-                                  {
-                                      found[blockOf_[other.place]].push_back({i, other.place});
-                                  }
-                              }
-                          });
-            walls.forNear(x, reach, [&](int wall) { found[block].push_back({i, ~wall}); });
+            neighbours.forNear(i,
+                               [&](int j)
+                               {
+                                   if (j > i && body_[i] != body_[j])
+                                   {
+                                       found[blockOf_[j]].push_back({i, j});
+                                   }
+                               });
+            watch.walls.forNear(x[i], radii[i] + watch.skin,
+                                [&](int wall)
+                                { found[watch.freeBodyOfWall[wall] < 0 ? block : grainBlocks].push_back({i, ~wall}); });
         }
-        for (int other = block; other < blocks; ++other)
+        for (int other = block; other <= grainBlocks; ++other)
         {
             append(block, other, found[other]);
             found[other].clear();
         }
+    }
+}
+
+template <int D>
+void Candidates<D>::sort(const Watch<D>& watch, const Vectors<D>& members, const Vectors<D>& grains,
+                         const Communicator& communicator)
+{
+    const int n = static_cast<int>(grains.size());
+    const std::vector<int> block = bisect<D>(grains, watch.blocks);
+    grainBegin_.assign(watch.blocks + 1, 0);
+    for (const int b : block)
+    {
+        ++grainBegin_[b + 1];
+    }
+    std::partial_sum(grainBegin_.begin(), grainBegin_.end(), grainBegin_.begin());
+
+    order_.resize(n);
+    std::vector<int> next(grainBegin_.begin(), grainBegin_.end() - 1);
+    const CellGrid<D> grid(members, 2 * mean(watch.members.radius()) + watch.skin);
+    for (const int member : grid.members())
+    {
+        const int grain = watch.members.grain(member);
+        if (member == watch.members.first(grain))
+        {
+            order_[next[block[grain]]++] = grain;
+        }
+    }
+
+    memberPlace_.resize(members.size());
+    memberBegin_.assign(1, 0);
+    for (int place = 0; place < n; ++place)
+    {
+        const int grain = order_[place];
+        memberBegin_.resize(block[grain] + 1, static_cast<int>(memberOrder_.size()));
+        for (int m = watch.members.first(grain); m < watch.members.first(grain + 1); ++m)
+        {
+            memberPlace_[m] = static_cast<int>(memberOrder_.size());
+            memberOrder_.push_back(m);
+            body_.push_back(place);
+            blockOf_.push_back(block[grain]);
+        }
+    }
+    memberBegin_.resize(watch.blocks + 1, static_cast<int>(memberOrder_.size()));
+
+    fixedBody_ = n + watch.freeBodies;
+    for (const int body : watch.freeBodyOfWall)
+    {
+        wallBody_.push_back(body < 0 ? fixedBody_ : n + body);
+    }
+    dealBlocks(watch.blocks, watch.freeBodies > 0, communicator.size());
+}
+
+template <int D>
+void Candidates<D>::dealBlocks(int blocks, bool wallBlock, int ranks)
+{
+    rankBegin_.assign(ranks + 1, fixedBody_);
+    blockRank_.resize(blocks);
+    for (int b = blocks - 1; b >= 0; --b)
+    {
+        blockRank_[b] = static_cast<int>(static_cast<std::int64_t>(b) * ranks / blocks);
+        std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[b] + 1, grainBegin_[b]);
+    }
+    std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[0] + 1, 0);
+    if (wallBlock)
+    {
+        blockRank_.push_back(blockRank_.back());
     }
 }
 

@@ -183,6 +183,13 @@ inline double separate(Overlap<D>& o, Body<D>* bodies)
     return w * w * change * change;
 }
 
+/// Velocity with which the contact opens [m/s].
+template <int D>
+inline double normalVelocity(const Contact<D>& c, const Body<D>& a, const Body<D>& b)
+{
+    return (b.velocity - a.velocity).dot(c.normal);
+}
+
 /// Square of the natural-map residual in velocity units [m^2/s^2]: how far the impulse is from the solution of
 /// solve() at the present velocities.
 template <int D>

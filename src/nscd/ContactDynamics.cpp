@@ -3,6 +3,7 @@
 
 #include "nscd/Check.hpp"
 #include "nscd/Implementation.hpp"
+#include "nscd/RigidMotion.hpp"
 #include "nscd/Validation.hpp"
 
 #include <limits>
@@ -37,28 +38,112 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
                                                    std::vector<WallBody<D>> wallBodies)
     : grains_(std::move(grains)), walls_((validate<D>(walls, table, wallBodies), std::move(walls))),
       table_((validate(table), std::move(table))), settings_(settings), communicator_(communicator),
-      wallBodies_(std::move(wallBodies)), arrangement_(walls_, table_)
+      initialWallBodies_(std::move(wallBodies)), wallBodies_(initialWallBodies_),
+      arrangement_(walls_, table_, settings.period)
 {
     validate(settings_);
     validate(grains_, table_);
     contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
-    measureRadii();
-    rebuildCandidates(grains_.position, restSkin * meanRadius_, {});
+    measureGrains();
+    measureWalls();
+    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, {});
     StepReport report;
     measureOverlaps(report);
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::measureRadii()
+void ContactDynamics<D>::Implementation::measureGrains()
 {
+    members_ = Members<D>(grains_);
     smallestRadius_ = std::numeric_limits<double>::max();
     meanRadius_ = 0;
-    for (const double r : grains_.radius)
+    for (const double r : members_.radius())
     {
         smallestRadius_ = std::min(smallestRadius_, r);
-        meanRadius_ += r / static_cast<double>(grains_.size());
+        meanRadius_ += r / static_cast<double>(members_.size());
     }
+    bounces_ = false;
+    levered_ = !members_.simple() || freeBodies() > 0;
+    for (int a = 0; a < table_.materials(); ++a)
+    {
+        for (int b = a; b < table_.materials(); ++b)
+        {
+            bounces_ = bounces_ || table_(a, b).restitution > 0;
+            levered_ = levered_ || table_(a, b).rolling > 0;
+        }
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureWalls()
+{
+    candidateWalls_ = wallBodies_;
+    wallExtent_.assign(wallBodies_.size(), 0.0);
+    std::vector<int> number(wallBodies_.size(), -1);
+    int free = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        number[b] = isFree(wallBodies_[b]) ? free++ : -1;
+    }
+    freeBodyOfWall_.clear();
+    for (const auto& wall : walls_)
+    {
+        const int body = bodyOf(wall);
+        freeBodyOfWall_.push_back(body < 0 ? -1 : number[body]);
+        if (body >= 0)
+        {
+            wallExtent_[body] = std::max(wallExtent_[body], extentFrom(wall, initialWallBodies_[body].position));
+        }
+    }
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin)
+{
+    checkWallBody(body, false, isFinite(velocity) && isFinite(spin));
+    wallBodies_[body].velocity = velocity;
+    wallBodies_[body].spin = spin;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque)
+{
+    checkWallBody(body, true, isFinite(force) && isFinite(torque));
+    wallBodies_[body].force = force;
+    wallBodies_[body].torque = torque;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::checkWallBody(int body, bool free, bool finite) const
+{
+    if (body < 0 || body >= static_cast<int>(wallBodies_.size()))
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) + " of " + std::to_string(wallBodies_.size()));
+    }
+    if (isFree(wallBodies_[body]) != free)
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) +
+                                    (free ? " is not free: its motion is prescribed, loads have no effect"
+                                          : " is free: its motion cannot be prescribed"));
+    }
+    if (!finite)
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) + ": a value is not finite");
+    }
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::contacts() const
+{
+    std::vector<ContactForce<D>> mine = problem_.forces();
+    for (ContactForce<D>& c : mine)
+    {
+        c.first = members_.grain(candidates_.memberOrder()[c.first]);
+        c.second = c.second < 0 ? c.second : members_.grain(candidates_.memberOrder()[c.second]);
+    }
+    return communicator_.gather(mine);
 }
 
 template <int D>
@@ -121,10 +206,10 @@ auto ContactDynamics<D>::Implementation::freeMotion(const Vectors<D>& force, con
     free.spin.resize(grains_.size());
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        const double inertia = inertiaFactor<D> * grains_.mass[i] * grains_.radius[i] * grains_.radius[i];
         free.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
-        free.spin[i] = grains_.spin[i] + (dt / inertia) * torque[i];
-        free.largestSpeed = std::max(free.largestSpeed, free.velocity[i].norm());
+        free.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
+        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free.spin[i].norm();
+        free.largestSpeed = std::max(free.largestSpeed, free.velocity[i].norm() + turning);
     }
     return free;
 }
@@ -143,7 +228,7 @@ void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temp
 template <int D>
 void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 {
-    arrangement_.move(grains_, candidates_.order());
+    arrangement_.move(grains_, members_, candidates_);
     std::vector<double> sums(2 * candidates_.blocks(), 0.0);   // depths and numbers of each block
     double worst = 0;
     for (const Group& group : candidates_.groups())
@@ -211,6 +296,30 @@ template <int D>
 StepReport ContactDynamics<D>::step(const Vectors<D>& force, const Spins<D>& torque, double dt)
 {
     return implementation_->step(force, torque, dt);
+}
+
+template <int D>
+const std::vector<WallBody<D>>& ContactDynamics<D>::wallBodies() const
+{
+    return implementation_->wallBodies();
+}
+
+template <int D>
+void ContactDynamics<D>::setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin)
+{
+    implementation_->setWallMotion(body, velocity, spin);
+}
+
+template <int D>
+void ContactDynamics<D>::setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque)
+{
+    implementation_->setWallLoad(body, force, torque);
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactDynamics<D>::contacts() const
+{
+    return implementation_->contacts();
 }
 
 template <int D>

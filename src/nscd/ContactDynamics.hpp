@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/ContactForce.hpp"
 #include "nscd/ContactTable.hpp"
 #include "nscd/Grains.hpp"
 #include "nscd/Mpi.hpp"
@@ -61,17 +62,6 @@ struct StepReport
     double contactWork = 0;       ///< of all contacts, with the mean of the velocities before and after [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
-};
-
-/// A contact that carried an impulse in the last sub-step.
-template <int D>
-struct ContactForce
-{
-    int first, second;   ///< grains; second < 0: wall ~second
-    Vector<D> point;     ///< in the middle of gap or overlap [m]
-    Vector<D> normal;    ///< from the first to the second
-    Vector<D> force;     ///< on the second: impulse over the sub-step [N]
-    double gap;          ///< [m], at the beginning of the sub-step
 };
 
 /// Grains and walls in frictional contact (Signorini-Coulomb, time stepping after

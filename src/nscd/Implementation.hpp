@@ -5,6 +5,7 @@
 
 #include "nscd/ContactDynamics.hpp"
 #include "nscd/ContactProblem.hpp"
+#include "nscd/State.hpp"
 #include "nscd/Stopwatch.hpp"
 
 namespace nscd
@@ -25,10 +26,16 @@ public:
     double lastTimeStep() const { return lastTimeStep_; }
     double worstOverlap() const { return worstOverlap_; }
 
+    const std::vector<WallBody<D>>& wallBodies() const { return wallBodies_; }
+
+    void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
+    void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
+    std::vector<ContactForce<D>> contacts() const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
     void save(const std::string& file, double time) const;
     double load(const std::string& file);
+    void restoreWalls(const State<D>& state);
 
 private:
     /// Velocities that the grains would have without contacts.
@@ -42,13 +49,16 @@ private:
     /// A list of candidates made for grains at rest holds until one has moved by half this fraction of the mean radius.
     static constexpr double restSkin = 0.3;
 
-    void measureRadii();
+    void measureGrains();
+    void measureWalls();
+    void checkWallBody(int body, bool free, bool finite) const;
     int countSubSteps(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
     FreeMotion freeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
     void advance(const FreeMotion& free, double dt, StepReport& report);
     void updateCandidates(const FreeMotion& free, double dt);
-    void rebuildCandidates(const Vectors<D>& positions, double skin, const std::vector<NamedImpulse<D>>& impulses);
-    void makeBodies(const FreeMotion& free);
+    void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, double skin,
+                           const std::vector<NamedImpulse<D>>& impulses);
+    void makeBodies(const FreeMotion& free, double dt);
 
     /// Sweep until the impulses are within the tolerance; false when the sweeps run out.
     bool solve(double dt, StepReport& report);
@@ -58,7 +68,14 @@ private:
     /// would have to be slower than the sweeps carry impulses through the pile.)
     void separate(double dt, bool converged);
 
-    void move(const FreeMotion& free, double dt);
+    void move(const FreeMotion& free, double dt, StepReport& report);
+    void moveWalls(double dt);
+
+    /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
+    double wallDisplacement(double dt) const;
+
+    static bool isFree(const WallBody<D>& wall) { return std::isfinite(wall.mass); }
+    int freeBodies() const { return static_cast<int>(std::count_if(wallBodies_.begin(), wallBodies_.end(), isFree)); }
 
     /// Penetration of the present positions; collective.
     void measureOverlaps(StepReport& report);
@@ -68,13 +85,19 @@ private:
     ContactTable table_;
     Settings settings_;
     Communicator communicator_;
-    std::vector<WallBody<D>> wallBodies_;
+    const std::vector<WallBody<D>> initialWallBodies_;
+    std::vector<WallBody<D>> wallBodies_, candidateWalls_;   ///< now, and when the candidates were listed
+    std::vector<double> wallExtent_;      ///< of each body: farthest point of its walls from its position [m]
+    std::vector<int> freeBodyOfWall_;     ///< number of the free body a wall belongs to; -1 for none
     Arrangement<D> arrangement_;
 
+    bool bounces_ = false, levered_ = false;   ///< do some contacts?
+    Members<D> members_;
     double smallestRadius_ = 0, meanRadius_ = 0;
     Candidates<D> candidates_;
+    BodyData<D> data_;
     std::unique_ptr<Schedule<D>> schedule_;
-    ContactProblem<D> problem_{arrangement_, candidates_};
+    ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
     std::vector<Body<D>> bodies_, displacements_;
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
 

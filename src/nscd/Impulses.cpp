@@ -9,17 +9,17 @@ namespace nscd
 namespace
 {
 
-/// Name the impulse of a pair; the tangential vector of 3-D changes sign with the order of the two, the component
-/// of 2-D does not because its direction turns with the normal.
+/// Name the impulse of a pair by user's numbers of members; vectors and moments change sign with the order of the
+/// two, the tangential component of 2-D does not because its direction turns with the normal.
 template <int D>
 NamedImpulse<D> named(const Candidates<D>& candidates, const Pair& pair, Impulse<D> impulse)
 {
-    const int a = candidates.order()[pair.first];
+    const int a = candidates.memberOrder()[pair.first];
     if (pair.second < 0)
     {
         return {a, pair.second, impulse};
     }
-    const int b = candidates.order()[pair.second];
+    const int b = candidates.memberOrder()[pair.second];
     if (a < b)
     {
         return {a, b, impulse};
@@ -28,6 +28,7 @@ NamedImpulse<D> named(const Candidates<D>& candidates, const Pair& pair, Impulse
     {
         impulse.tangential = -impulse.tangential;
     }
+    impulse.rolling = -impulse.rolling;
     return {b, a, impulse};
 }
 
@@ -56,7 +57,7 @@ std::vector<Impulse<D>> matchImpulses(const Candidates<D>& candidates, const std
     {
         return impulses;
     }
-    std::vector<int> begin(candidates.order().size() + 1, 0);   // of the impulses of each grain a
+    std::vector<int> begin(candidates.memberOrder().size() + 1, 0);   // of the impulses of each grain a
     for (const NamedImpulse<D>& k : known)
     {
         ++begin[k.a + 1];

@@ -15,10 +15,11 @@ struct Impulse
 {
     double normal = 0;
     Tangent<D> tangential = zeroTangent<D>();
+    Tangent<D> rolling = zeroTangent<D>();   ///< angular impulse on the second [N m s]
     double age = 0;   ///< how long the contact has carried an impulse without a break [s]
 };
 
-/// An impulse that outlives the candidate list: named by user's grain numbers, a < b, or by a grain and wall ~b,
+/// An impulse that outlives the candidate list: named by user's numbers of members, a < b, or by a member and wall ~b,
 /// and meaning the impulse on b.
 template <int D>
 struct NamedImpulse

@@ -16,8 +16,14 @@ namespace
 {
 
 template <int D>
-void checkState(const State<D>& state, const ContactTable& table, std::size_t walls, const std::string& file)
+void checkState(const State<D>& state, const ContactTable& table, std::size_t walls, std::size_t wallBodies,
+                const std::string& file)
 {
+    if (state.wallBodies.size() != wallBodies || state.candidateWalls.size() != wallBodies)
+    {
+        throw std::runtime_error(file + ": " + std::to_string(state.wallBodies.size()) + " wall bodies instead of " +
+                                 std::to_string(wallBodies));
+    }
     try
     {
         validate(state.grains, table);
@@ -69,7 +75,9 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.lastTimeStep = lastTimeStep_;
     state.lastSubStep = lastSubStep_;
     state.candidatePosition = candidates_.positions();
-    state.candidateOrientation = grains_.orientation;
+    state.candidateOrientation = candidates_.orientations();
+    state.wallBodies = wallBodies_;
+    state.candidateWalls = candidateWalls_;
     state.candidateSkin = candidates_.skin();
     state.impulses = gatherImpulses(candidates_, impulses_, communicator_);
     together(communicator_, file,
@@ -83,6 +91,20 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
 }
 
 template <int D>
+void ContactDynamics<D>::Implementation::restoreWalls(const State<D>& state)
+{
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        wallBodies_[b].position = state.wallBodies[b].position;
+        wallBodies_[b].orientation = state.wallBodies[b].orientation;
+        wallBodies_[b].velocity = state.wallBodies[b].velocity;
+        wallBodies_[b].spin = state.wallBodies[b].spin;
+    }
+    candidateWalls_ = state.candidateWalls;
+    arrangement_.walls().place(initialWallBodies_, candidateWalls_);
+}
+
+template <int D>
 double ContactDynamics<D>::Implementation::load(const std::string& file)
 {
     State<D> state;
@@ -90,15 +112,17 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
              [&]
              {
                  state = readState<D>(file);
-                 checkState(state, table_, walls_.size(), file);
+                 checkState(state, table_, walls_.size(), wallBodies_.size(), file);
              });
     grains_ = std::move(state.grains);
     contactImpulse_ = std::move(state.contactImpulse);
     contactSpinImpulse_ = std::move(state.contactSpinImpulse);
     lastTimeStep_ = state.lastTimeStep;
     lastSubStep_ = state.lastSubStep;
-    measureRadii();
-    rebuildCandidates(state.candidatePosition, state.candidateSkin, state.impulses);
+    measureGrains();
+    restoreWalls(state);
+    rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateSkin, state.impulses);
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
     StepReport report;
     measureOverlaps(report);
     return state.time;

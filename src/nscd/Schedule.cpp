@@ -48,7 +48,7 @@ Schedule<D>::Schedule(const Candidates<D>& candidates, const Communicator& commu
         std::vector<int>& grains = borrowed[g];
         for (std::size_t p = group.begin; p < group.end; ++p)
         {
-            grains.push_back(candidates.pairs()[p].second);
+            grains.push_back(candidates.secondBody(candidates.pairs()[p]));
         }
         std::sort(grains.begin(), grains.end());
         grains.erase(std::unique(grains.begin(), grains.end()), grains.end());

@@ -4,6 +4,7 @@
 #include "nscd/State.hpp"
 
 #include "nscd/Hdf5.hpp"
+#include "nscd/Members.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -104,6 +105,30 @@ std::vector<V> toVectors(const Table<double>& table)
     return vectors;
 }
 
+void append(Table<double>& table, double t)
+{
+    table.values.push_back(t);
+}
+
+void append(Table<double>& table, const Vector<3>& t)
+{
+    table.values.insert(table.values.end(), {t.x(), t.y(), t.z()});
+}
+
+template <int D>
+Tangent<D> tangentAt(const Table<double>& table, std::size_t row)
+{
+    const double* t = table.values.data() + row * table.columns;
+    if constexpr (D == 2)
+    {
+        return *t;
+    }
+    else
+    {
+        return {t[0], t[1], t[2]};
+    }
+}
+
 template <int D>
 void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
 {
@@ -111,34 +136,31 @@ void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
     Table<std::int64_t> pair{impulses.size(), 2, {}};
     Table<double> normal{impulses.size(), 1, {}};
     Table<double> tangential{impulses.size(), columns, {}};
+    Table<double> rolling{impulses.size(), columns, {}};
     Table<double> age{impulses.size(), 1, {}};
     for (const NamedImpulse<D>& i : impulses)
     {
         pair.values.insert(pair.values.end(), {i.a, i.b});
         normal.values.push_back(i.impulse.normal);
         age.values.push_back(i.impulse.age);
-        if constexpr (D == 2)
-        {
-            tangential.values.push_back(i.impulse.tangential);
-        }
-        else
-        {
-            tangential.values.insert(tangential.values.end(), i.impulse.tangential.data(),
-                                     i.impulse.tangential.data() + columns);
-        }
+        append(tangential, i.impulse.tangential);
+        append(rolling, i.impulse.rolling);
     }
-    out.write("contacts/pair", pair, "row of a grain; -1-w for wall w");
+    out.write("contacts/pair", pair, "member, counted grain by grain; -1-w for wall w");
     out.write("contacts/normalImpulse", normal, "N s");
+    out.write("contacts/rollingImpulse", rolling, "N m s, on the second of the pair");
     out.write("contacts/age", age, "s");
     out.write("contacts/tangentialImpulse", tangential, "N s, on the second of the pair");
 }
 
 template <int D>
-std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string& file, std::size_t grains)
+std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string& file, std::size_t members)
 {
     const std::size_t n = in.read<std::int64_t>("contacts/pair").rows;
     const Table<std::int64_t> pair = readTable<std::int64_t>(in, file, "contacts/pair", n, 2);
     const Table<double> normal = readTable<double>(in, file, "contacts/normalImpulse", n, 1);
+    const Table<double> rolling =
+        readTable<double>(in, file, "contacts/rollingImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     const Table<double> age = readTable<double>(in, file, "contacts/age", n, 1);
     const Table<double> tangential =
         readTable<double>(in, file, "contacts/tangentialImpulse", n, sizeof(Tangent<D>) / sizeof(double));
@@ -147,25 +169,18 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
     {
         const std::int64_t a = pair.values[2 * c];
         const std::int64_t b = pair.values[2 * c + 1];
-        const auto count = static_cast<std::int64_t>(grains);
+        const auto count = static_cast<std::int64_t>(members);
         if (a < 0 || a >= count || b >= count || a == b)
         {
             throw std::runtime_error(file + ": contact " + std::to_string(c) + " is between rows " +
                                      std::to_string(a) + " and " + std::to_string(b) + " of " +
-                                     std::to_string(grains) + " grains");
+                                     std::to_string(members) + " members");
         }
         NamedImpulse<D> impulse{static_cast<int>(a), static_cast<int>(b), {}};
         impulse.impulse.normal = normal.values[c];
         impulse.impulse.age = age.values[c];
-        const double* t = tangential.values.data() + c * tangential.columns;
-        if constexpr (D == 2)
-        {
-            impulse.impulse.tangential = *t;
-        }
-        else
-        {
-            impulse.impulse.tangential = Vector<3>(t[0], t[1], t[2]);
-        }
+        impulse.impulse.tangential = tangentAt<D>(tangential, c);
+        impulse.impulse.rolling = tangentAt<D>(rolling, c);
         impulses.push_back(impulse);
     }
     return impulses;
@@ -224,7 +239,21 @@ std::vector<Cluster<D>> readClusters(const Hdf5File& in, const std::string& file
 }
 
 template <int D>
-void writeWallBodies(Hdf5File& out, const std::vector<WallBody<D>>& bodies)
+void checkShapes(const Grains<D>& grains, const std::string& file)
+{
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (grains.shape[i] < -1 || grains.shape[i] >= static_cast<int>(grains.clusters.size()))
+        {
+            throw std::runtime_error(file + ": grain " + std::to_string(grains.id[i]) + " has shape " +
+                                     std::to_string(grains.shape[i]) + " of " +
+                                     std::to_string(grains.clusters.size()));
+        }
+    }
+}
+
+template <int D>
+void writeWallBodies(Hdf5File& out, const std::string& group, const std::vector<WallBody<D>>& bodies)
 {
     Vectors<D> position, velocity;
     Orientations<D> orientation;
@@ -236,21 +265,21 @@ void writeWallBodies(Hdf5File& out, const std::vector<WallBody<D>>& bodies)
         orientation.push_back(b.orientation);
         spin.push_back(b.spin);
     }
-    out.write("wallBodies/position", toTable(position), "m");
-    out.write("wallBodies/velocity", toTable(velocity), "m/s");
-    out.write("wallBodies/orientation", toTable<D>(orientation), D == 2 ? "rad" : "1");
-    out.write("wallBodies/spin", toTable(spin), "rad/s");
+    out.write(group + "/position", toTable(position), "m");
+    out.write(group + "/velocity", toTable(velocity), "m/s");
+    out.write(group + "/orientation", toTable<D>(orientation), D == 2 ? "rad" : "1");
+    out.write(group + "/spin", toTable(spin), "rad/s");
 }
 
 template <int D>
-std::vector<WallBody<D>> readWallBodies(const Hdf5File& in, const std::string& file)
+std::vector<WallBody<D>> readWallBodies(const Hdf5File& in, const std::string& file, const std::string& group)
 {
-    const Table<double> position = in.read<double>("wallBodies/position");
+    const Table<double> position = in.read<double>(group + "/position");
     const auto read = [&](const char* name, std::size_t columns)
-    { return readTable<double>(in, file, name, position.rows, columns); };
-    const auto velocity = toVectors<Vector<D>>(read("wallBodies/velocity", D));
-    const auto orientation = toOrientations<D>(read("wallBodies/orientation", D == 2 ? 1 : 4));
-    const auto spin = toVectors<Spin<D>>(read("wallBodies/spin", Spin<D>::RowsAtCompileTime));
+    { return readTable<double>(in, file, group + name, position.rows, columns); };
+    const auto velocity = toVectors<Vector<D>>(read("/velocity", D));
+    const auto orientation = toOrientations<D>(read("/orientation", D == 2 ? 1 : 4));
+    const auto spin = toVectors<Spin<D>>(read("/spin", Spin<D>::RowsAtCompileTime));
     std::vector<WallBody<D>> bodies(position.rows);
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
@@ -312,7 +341,8 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("candidatePosition", toTable(s.candidatePosition), "m");
     out.write("candidateOrientation", toTable<D>(s.candidateOrientation), D == 2 ? "rad" : "1");
     writeClusters<D>(out, s.grains.clusters);
-    writeWallBodies<D>(out, s.wallBodies);
+    writeWallBodies<D>(out, "wallBodies", s.wallBodies);
+    writeWallBodies<D>(out, "candidateWalls", s.candidateWalls);
     writeContacts<D>(out, s.impulses);
     out.close();
 
@@ -377,8 +407,10 @@ State<D> readState(const std::string& file)
     s.candidatePosition = vectors("candidatePosition");
     s.candidateOrientation = orientations("candidateOrientation");
     s.grains.clusters = readClusters<D>(in, file);
-    s.wallBodies = readWallBodies<D>(in, file);
-    s.impulses = readContacts<D>(in, file, n);
+    s.wallBodies = readWallBodies<D>(in, file, "wallBodies");
+    s.candidateWalls = readWallBodies<D>(in, file, "candidateWalls");
+    checkShapes(s.grains, file);
+    s.impulses = readContacts<D>(in, file, Members<D>(s.grains).size());
     return s;
 }
 

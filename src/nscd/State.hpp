@@ -31,6 +31,9 @@ struct State
 
     /// Position, orientation, velocity and spin of the wall bodies; the rest is not saved.
     std::vector<WallBody<D>> wallBodies;
+
+    /// The same when the candidates were listed.
+    std::vector<WallBody<D>> candidateWalls;
 };
 
 /// Write to a temporary file in the same directory, bring it to disc and rename it: 'file' is either what it was or

@@ -4,6 +4,7 @@
 // One sub-step of ContactDynamics: candidates, choice of contacts, sweeps, motion.
 
 #include "nscd/Implementation.hpp"
+#include "nscd/RigidMotion.hpp"
 
 namespace nscd
 {
@@ -31,19 +32,6 @@ Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
     }
 }
 
-template <int D>
-Spin<D> toSpin(const Tangent<D>& t)
-{
-    if constexpr (D == 2)
-    {
-        return Spin<2>(t);
-    }
-    else
-    {
-        return t;
-    }
-}
-
 }  // namespace
 
 template <int D>
@@ -51,7 +39,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
 {
     Stopwatch watch;
     updateCandidates(free, dt);
-    makeBodies(free);
+    makeBodies(free, dt);
     problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
     report.detectionTime += watch.restart();
@@ -59,9 +47,14 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
     const bool converged = solve(dt, report);
     problem_.store(impulses_);
+    for (Impulse<D>& impulse : impulses_)
+    {
+        impulse.age = impulse.normal > 0 ? impulse.age + dt : 0;
+    }
     lastSubStep_ = dt;
     separate(dt, converged);
-    move(free, dt);
+    move(free, dt, report);
+    moveWalls(dt);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
                                double(problem_.active())};
@@ -78,17 +71,25 @@ void ContactDynamics<D>::Implementation::updateCandidates(const FreeMotion& free
     double farthest = 0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        const Vector<D> end = grains_.position[i] + dt * free.velocity[i];
-        farthest = std::max(farthest, (end - candidates_.positions()[i]).squaredNorm());
+        double way = (grains_.position[i] + dt * free.velocity[i] - candidates_.positions()[i]).squaredNorm();
+        if (grains_.shape[i] >= 0)
+        {
+            const double turn = turnBetween(grains_.orientation[i], candidates_.orientations()[i]);
+            way = std::sqrt(way) + grains_.radius[i] * (turn + dt * free.spin[i].norm());
+            way *= way;
+        }
+        farthest = std::max(farthest, way);
     }
-    if (!candidates_.cover(std::sqrt(farthest)))
+    if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
     {
-        rebuildCandidates(grains_.position, restSkin * meanRadius_ + 2 * dt * free.largestSpeed,
+        const double skin = restSkin * meanRadius_ + 2 * dt * free.largestSpeed;
+        rebuildCandidates(grains_.position, grains_.orientation, skin,
                           gatherImpulses(candidates_, impulses_, communicator_));
+        candidateWalls_ = wallBodies_;
     }
     else
     {
-        arrangement_.move(grains_, candidates_.order());
+        arrangement_.move(grains_, members_, candidates_);
     }
     if (lastSubStep_ > 0 && dt != lastSubStep_)
     {
@@ -96,27 +97,53 @@ void ContactDynamics<D>::Implementation::updateCandidates(const FreeMotion& free
         {
             impulse.normal *= dt / lastSubStep_;
             impulse.tangential *= dt / lastSubStep_;
+            impulse.rolling *= dt / lastSubStep_;
         }
     }
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions, double skin,
+void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions,
+                                                           const Orientations<D>& orientations, double skin,
                                                            const std::vector<NamedImpulse<D>>& impulses)
 {
-    candidates_ = Candidates<D>(positions, grains_.radius, arrangement_.walls(), skin, settings_.blocks, communicator_);
+    candidates_ = Candidates<D>({members_, arrangement_.walls(), freeBodyOfWall_, freeBodies(), skin, settings_.blocks,
+                                 settings_.period},
+                                positions, orientations, communicator_);
     schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
     impulses_ = matchImpulses(candidates_, impulses);
-    arrangement_.arrange(grains_, candidates_.order());
+    arrangement_.arrange(grains_, members_, candidates_);
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free)
+void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free, double dt)
 {
     bodies_.clear();
+    data_.before.clear();
+    data_.turning.clear();
     for (const int i : candidates_.order())
     {
         bodies_.push_back({free.velocity[i], surfaceSpeed<D>(free.spin[i], grains_.radius[i]), 1 / grains_.mass[i]});
+        if (bounces_)
+        {
+            data_.before.push_back({grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0});
+        }
+        if (levered_)
+        {
+            data_.turning.push_back(turningOf(grains_, i));
+        }
+    }
+    for (const WallBody<D>& wall : wallBodies_)
+    {
+        if (isFree(wall))
+        {
+            const Turning<D> turning{1, inSpace(wall.orientation, Spin<D>(wall.inertia.cwiseInverse()))};
+            const Spin<D> spin = wall.spin + dt * turning.inverse * wall.torque;
+            bodies_.push_back(
+                {wall.velocity + dt / wall.mass * wall.force, surfaceSpeed<D>(spin, 1), 1 / wall.mass});
+            data_.before.push_back({wall.velocity, surfaceSpeed<D>(wall.spin, 1), 0});
+            data_.turning.push_back(turning);
+        }
     }
     bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
 }
@@ -186,21 +213,64 @@ void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt)
+void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt, StepReport& report)
 {
     for (std::size_t k = 0; k < grains_.size(); ++k)
     {
         const int i = candidates_.order()[k];
-        const double m = grains_.mass[i];
-        const double r = grains_.radius[i];
-        const Spin<D> surfaceChange =
-            toSpin<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free.spin[i], r));
-        contactImpulse_[i] += m * (bodies_[k].velocity - free.velocity[i]);
-        contactSpinImpulse_[i] += inertiaFactor<D> * m * r * surfaceChange;
+        const Vector<D> impulse = grains_.mass[i] * (bodies_[k].velocity - free.velocity[i]);
+        const Spin<D> spinChange =
+            toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free.spin[i], grains_.radius[i]))) /
+            grains_.radius[i];
+        const Spin<D> spinImpulse = angularMomentum<D>(grains_, i, spinChange);
+        const Spin<D> spin = free.spin[i] + spinChange;
+        report.contactWork += 0.5 * impulse.dot(grains_.velocity[i] + bodies_[k].velocity) +
+                              0.5 * spinImpulse.dot(grains_.spin[i] + spin);
+        contactImpulse_[i] += impulse;
+        contactSpinImpulse_[i] += spinImpulse;
         grains_.velocity[i] = bodies_[k].velocity;
-        grains_.spin[i] = free.spin[i] + surfaceChange / r;
+        grains_.spin[i] = spin;
         grains_.position[i] += dt * (bodies_[k].velocity + displacements_[k].velocity);
+        turn(grains_, i, dt);
     }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::moveWalls(double dt)
+{
+    if (wallBodies_.empty())
+    {
+        return;
+    }
+    std::size_t k = grains_.size();
+    for (WallBody<D>& wall : wallBodies_)
+    {
+        Vector<D> displacement = Vector<D>::Zero();
+        if (isFree(wall))
+        {
+            wall.velocity = bodies_[k].velocity;
+            wall.spin = toSpin(bodies_[k].surfaceSpeed);
+            displacement = displacements_[k].velocity;
+            ++k;
+        }
+        wall.position += dt * (wall.velocity + displacement);
+        wall.orientation = turned(wall.orientation, wall.spin, dt);
+    }
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::wallDisplacement(double dt) const
+{
+    double farthest = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        const WallBody<D>& wall = wallBodies_[b];
+        const double turn = turnBetween(wall.orientation, candidateWalls_[b].orientation) + dt * wall.spin.norm();
+        farthest = std::max(farthest, (wall.position + dt * wall.velocity - candidateWalls_[b].position).norm() +
+                                          turn * wallExtent_[b]);
+    }
+    return farthest;
 }
 
 template class ContactDynamics<2>::Implementation;

@@ -5,6 +5,7 @@
 
 #include "nscd/Types.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <variant>
 
@@ -64,6 +65,18 @@ inline int materialOf(const std::variant<Plane, Triangle>& wall)
 inline int bodyOf(const std::variant<Plane, Triangle>& wall)
 {
     return std::visit([](const auto& w) { return w.body; }, wall);
+}
+
+/// Distance of the farthest point of a wall from a point [m]; a half space only moves along.
+inline double extentFrom(const Segment& wall, const Vector<2>& x)
+{
+    return std::max((wall.a - x).norm(), (wall.b - x).norm());
+}
+
+inline double extentFrom(const std::variant<Plane, Triangle>& wall, const Vector<3>& x)
+{
+    const Triangle* t = std::get_if<Triangle>(&wall);
+    return t ? std::max({(t->a - x).norm(), (t->b - x).norm(), (t->c - x).norm()}) : 0;
 }
 
 /// Walls where they stand when their bodies are at their initial place.

@@ -14,6 +14,22 @@
 namespace
 {
 
+/// Candidates of discs or spheres at x among walls.
+template <int D>
+nscd::Candidates<D> candidatesOf(const nscd::Vectors<D>& x, const std::vector<double>& radius,
+                                 const nscd::WallContact<D>& walls, std::size_t wallCount, double skin,
+                                 std::array<double, 3> period = {0, 0, 0})
+{
+    nscd::Grains<D> grains;
+    grains.resize(x.size());
+    grains.position = x;
+    grains.radius = radius;
+    const nscd::Members<D> members(grains);
+    const std::vector<int> noFreeBody(wallCount, -1);
+    const nscd::Communicator communicator(MPI_COMM_SELF);
+    return {{members, walls, noFreeBody, 0, skin, 8, period}, x, grains.orientation, communicator};
+}
+
 template <int D>
 void expectAllNearPairs(double smallest, double stray)
 {
@@ -32,8 +48,7 @@ void expectAllNearPairs(double smallest, double stray)
     }
     x[5][0] = stray;
     const double skin = 0.2;
-    const nscd::Communicator communicator(MPI_COMM_SELF);
-    const nscd::Candidates<D> candidates(x, radius, nscd::WallContact<D>({}), skin, 8, communicator);
+    const nscd::Candidates<D> candidates = candidatesOf<D>(x, radius, nscd::WallContact<D>({}), 0, skin);
 
     std::multiset<std::pair<int, int>> found;
     for (const nscd::Pair& pair : candidates.pairs())
@@ -84,8 +99,7 @@ TEST(Candidates, ContainNearWallsOnly)
         x.push_back({random.uniform(-5, 105), random.uniform(-5, 40)});
     }
     const nscd::WallContact<2> shapes(walls);
-    const nscd::Communicator communicator(MPI_COMM_SELF);
-    const nscd::Candidates<2> candidates(x, std::vector<double>(500, 0.6), shapes, 0.3, 4, communicator);
+    const nscd::Candidates<2> candidates = candidatesOf<2>(x, std::vector<double>(500, 0.6), shapes, 100, 0.3);
     std::multiset<std::pair<int, int>> found, expected;
     for (const nscd::Pair& pair : candidates.pairs())
     {

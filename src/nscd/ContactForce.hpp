@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/Types.hpp"
+
+namespace nscd
+{
+
+/// A contact that carried an impulse in the last sub-step.
+template <int D>
+struct ContactForce
+{
+    int first, second;   ///< grains; second < 0: wall ~second
+    Vector<D> point;     ///< in the middle of gap or overlap [m]
+    Vector<D> normal;    ///< from the first to the second
+    Vector<D> force;     ///< on the second: impulse over the sub-step [N]
+    double gap;          ///< [m], at the beginning of the sub-step
+};
+
+}  // namespace nscd

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/CellGrid.hpp"
+
+namespace nscd
+{
+
+/// Finds the discs or spheres near each other at a cost that is linear in their number, whatever their sizes: one grid
+/// of cells for each range of sizes of a factor of two.
+template <int D>
+class Neighbours
+{
+public:
+    /// Positions [m], within [0, period) along periodic axes, and radii [m]; those nearer than skin [m] are neighbours.
+    Neighbours(const Vectors<D>& positions, const std::vector<double>& radii, double skin,
+               const std::array<double, 3>& period);
+
+    /// Call f(j) for each neighbour j of i, and for each periodic image of one.
+    template <class F>
+    void forNear(int i, F&& f) const;
+
+private:
+    struct Seat
+    {
+        Vector<D> x;
+        double radius;
+        int index;
+    };
+
+    /// Those of one range of sizes, cell by cell.
+    struct Level
+    {
+        double largest;
+        CellGrid<D> grid;
+        std::vector<Seat> seats;
+    };
+
+    static void addImages(std::vector<Seat>& seats, double reach, const std::array<double, 3>& period);
+
+    const Vectors<D>& positions_;
+    const std::vector<double>& radii_;
+    double skin_;
+    std::vector<Level> levels_;
+};
+
+template <int D>
+template <class F>
+void Neighbours<D>::forNear(int i, F&& f) const
+{
+    const Vector<D>& x = positions_[i];
+    const double reach = radii_[i] + skin_;
+    for (const Level& level : levels_)
+    {
+        const Vector<D> corner = Vector<D>::Constant(reach + level.largest);
+        level.grid.forCells(level.grid.coordinates(x - corner), level.grid.coordinates(x + corner),
+                            [&](std::size_t cell)
+                            {
+                                for (int s = level.grid.begin()[cell]; s < level.grid.begin()[cell + 1]; ++s)
+                                {
+                                    const Seat& seat = level.seats[s];
+                                    const double distance = reach + seat.radius;
+                                    if (seat.index != i && (seat.x - x).squaredNorm() < distance * distance)
+                                    {
+                                        f(seat.index);
+                                    }
+                                }
+                            });
+    }
+}
+
+}  // namespace nscd

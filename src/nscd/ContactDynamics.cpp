@@ -103,6 +103,7 @@ template <int D>
 void ContactDynamics<D>::Implementation::setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin)
 {
     checkWallBody(body, false, isFinite(velocity) && isFinite(spin));
+    checkSpin<D>(walls_, body, spin);
     wallBodies_[body].velocity = velocity;
     wallBodies_[body].spin = spin;
 }

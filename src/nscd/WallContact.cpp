@@ -11,9 +11,6 @@ namespace nscd
 namespace
 {
 
-/// Facets that rise above each other by less than this angle [rad] are in one plane.
-constexpr double flat = 1e-5;
-
 Facet<2> cornersOf(const Segment& wall)
 {
     return {wall.a, wall.b};
@@ -107,31 +104,53 @@ std::optional<Approach<D>> WallContact<D>::approach(int wall, const Vector<D>& c
         return approachPlane(facet, centre, radius);
     }
 
-    bool nearest = true;
-    bool first = true;
-    bool planeIsTaken = false;
-    mesh_.forFacetsAt(foot.joint,
-                      [&](int other)
-                      {
-                          if (other == facet || planeIsTaken)
-                          {
-                              return;
-                          }
-                          const bool nearer = mesh_.nearest(other, centre).joint != foot.joint;
-                          nearest = nearest && !nearer;
-                          first = first && (nearer || facet < other);
-                          planeIsTaken = (nearer || other < facet) && coplanar(facet, other, foot.joint);
-                      });
-    if (planeIsTaken)
+    const Company others = company(facet, foot.joint, centre);
+    if (others.nearest < 0)
+    {
+        return others.first ? std::optional(approachJoint(facet, foot.point, centre, radius)) : std::nullopt;
+    }
+    if (others.inPlane || !others.bentTowards)
     {
         return std::nullopt;
     }
-    if (nearest)
-    {
-        return first ? std::optional(approachJoint(facet, foot.point, centre, radius)) : std::nullopt;
-    }
     const Approach<D> continued = approachPlane(facet, centre, radius);
-    return continued.gap > 0 && inHollow(facet, centre) ? std::optional(continued) : std::nullopt;
+    return continued.gap > 0 && inHollow(others.nearest, centre) ? std::optional(continued) : std::nullopt;
+}
+
+template <int D>
+auto WallContact<D>::company(int facet, int joint, const Vector<D>& x) const -> Company
+{
+    Company company;
+    double shortest = 0;
+    const bool above = mesh_.height(facet, x) >= 0;
+    mesh_.forFacetsAt(joint,
+                      [&](int other)
+                      {
+                          const Foot<D> foot = mesh_.nearest(other, x);
+                          const bool nearer = foot.joint != joint;
+                          company.first = company.first && (nearer || facet <= other);
+                          if (!nearer && facet <= other)
+                          {
+                              return;
+                          }
+                          const Sides otherOverThis = mesh_.sides(other, facet, joint);
+                          const Sides thisOverOther = mesh_.sides(facet, other, joint);
+                          company.inPlane = company.inPlane || (otherOverThis.none() && thisOverOther.none());
+                          if (!nearer)
+                          {
+                              return;
+                          }
+                          const bool aboveOther = mesh_.height(other, x) >= 0;
+                          company.bentTowards = company.bentTowards && !otherOverThis.lies(!above) &&
+                                                !thisOverOther.lies(!aboveOther);
+                          const double square = (foot.point - x).squaredNorm();
+                          if (company.nearest < 0 || square < shortest)
+                          {
+                              company.nearest = other;
+                              shortest = square;
+                          }
+                      });
+    return company;
 }
 
 template <int D>
@@ -144,58 +163,18 @@ bool WallContact<D>::inHollow(int facet, const Vector<D>& x) const
         {
             return true;
         }
-        bool hollow = true;
-        int next = -1;
-        double shortest = 0;
-        mesh_.forFacetsAt(foot.joint,
-                          [&](int other)
-                          {
-                              const Foot<D> otherFoot = mesh_.nearest(other, x);
-                              if (!hollow || otherFoot.joint == foot.joint)
-                              {
-                                  return;
-                              }
-                              hollow = bentTowards(facet, other, foot.joint, x);
-                              const double square = (otherFoot.point - x).squaredNorm();
-                              if (next < 0 || square < shortest)
-                              {
-                                  next = other;
-                                  shortest = square;
-                              }
-                          });
-        if (!hollow)
+        const Company others = company(facet, foot.joint, x);
+        if (others.nearest < 0)
+        {
+            const Vector<D> below = x - mesh_.height(facet, x) * mesh_.normal(facet);
+            return (below - foot.point).norm() <= 4 * mesh_.roundOff();
+        }
+        if (!others.bentTowards)
         {
             return false;
         }
-        if (next < 0)
-        {
-            const double height = mesh_.height(facet, x);
-            return (x - height * mesh_.normal(facet) - foot.point).norm() <= 4 * mesh_.roundOff();
-        }
-        facet = next;
+        facet = others.nearest;
     }
-}
-
-template <int D>
-bool WallContact<D>::bentTowards(int a, int b, int joint, const Vector<D>& x) const
-{
-    const auto rises = [&](int facet, int above)
-    {
-        const Lean lean = mesh_.lean(facet, joint, above);
-        return mesh_.height(above, x) < 0 ? lean.highest < flat : lean.lowest > -flat;
-    };
-    return rises(a, b) && rises(b, a);
-}
-
-template <int D>
-bool WallContact<D>::coplanar(int a, int b, int joint) const
-{
-    const auto lies = [&](int facet, int above)
-    {
-        const Lean lean = mesh_.lean(facet, joint, above);
-        return lean.highest < flat && lean.lowest > -flat;
-    };
-    return lies(a, b) && lies(b, a);
 }
 
 template <int D>

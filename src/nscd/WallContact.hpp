@@ -72,13 +72,18 @@ private:
     Approach<D> approachPlane(int facet, const Vector<D>& centre, double radius) const;
     Approach<D> approachJoint(int facet, const Vector<D>& point, const Vector<D>& centre, double radius) const;
 
-    /// Does a facet form a hollow with the facets on the way to the one above which x lies, as seen from there?
+    /// What the other facets of a joint are to a facet whose nearest point to x lies there.
+    struct Company
+    {
+        int nearest = -1;            ///< the facet nearest to x of those that have a nearer point; -1: none
+        bool first = true;           ///< are the others that end there of higher numbers?
+        bool inPlane = false;        ///< does one of the nearer or first ones lie in the same plane?
+        bool bentTowards = true;     ///< do all nearer ones lean towards the facet, or lie in its plane?
+    };
+    Company company(int facet, int joint, const Vector<D>& x) const;
+
+    /// Does x lie above a facet, or above one to which a hollow leads from there?
     bool inHollow(int facet, const Vector<D>& x) const;
-
-    /// Do two facets of a joint rise against each other, or lie in one plane, as seen from x?
-    bool bentTowards(int a, int b, int joint, const Vector<D>& x) const;
-
-    bool coplanar(int a, int b, int joint) const;
 
     std::vector<int> body_;                ///< of each wall
     std::vector<int> facetOf_;             ///< of each wall; half space h: ~h

@@ -8,9 +8,18 @@
 namespace nscd
 {
 
+namespace
+{
+
+/// Facets that lean against each other by less than about this angle [rad] are in one plane.
+constexpr double flat = 1e-5;
+
+}  // namespace
+
 template <int D>
 WallMesh<D>::WallMesh(const std::vector<Facet<D>>& facets, const std::vector<int>& bodies)
-    : joints_(facets, bodies), corner_(joints_.corner), normal_(facets.size()), edges_(joints_.edge.size())
+    : joints_(facets, bodies), corner_(joints_.corner), normal_(facets.size()), size_(facets.size()),
+      edges_(joints_.edge.size())
 {
     for (const FacetSide& side : joints_.side)
     {
@@ -45,6 +54,7 @@ void WallMesh<2>::measure(int facet)
     Side& a = sides_[joints_.sideBegin[facet]];
     Side& b = sides_[joints_.sideBegin[facet] + 1];
     a.inward = (corner_[b.corner] - corner_[a.corner]).normalized();
+    size_[facet] = (corner_[b.corner] - corner_[a.corner]).norm();
     b.inward = -a.inward;
     normal_[facet] = Vector<2>(-a.inward.y(), a.inward.x());
 }
@@ -56,6 +66,11 @@ void WallMesh<3>::measure(int facet)
     const std::size_t end = joints_.sideBegin[facet + 1];
     const Vector<3>& first = corner_[sides_[begin].corner];
     Vector<3> area = Vector<3>::Zero();
+    size_[facet] = 0;
+    for (std::size_t s = begin + 1; s < end; ++s)
+    {
+        size_[facet] = std::max(size_[facet], (corner_[sides_[s].corner] - first).norm());
+    }
     for (std::size_t s = begin + 1; s + 1 < end; ++s)
     {
         area += (corner_[sides_[s].corner] - first).cross(corner_[sides_[s + 1].corner] - first);
@@ -124,23 +139,19 @@ Foot<3> WallMesh<3>::nearest(int facet, const Vector<3>& x) const
 }
 
 template <int D>
-Lean WallMesh<D>::lean(int facet, int joint, int above) const
+Sides WallMesh<D>::sides(int a, int b, int joint) const
 {
     const int corners = static_cast<int>(corner_.size());
     const Vector<D>& from = corner_[joint < corners ? joint : edges_[joint - corners].from];
-    Lean lean{0, 0};
-    for (std::size_t s = joints_.sideBegin[facet]; s < joints_.sideBegin[facet + 1]; ++s)
+    const double same = flat * size_[a];
+    Sides sides;
+    for (std::size_t s = joints_.sideBegin[a]; s < joints_.sideBegin[a + 1]; ++s)
     {
-        const Vector<D> arm = corner_[sides_[s].corner] - from;
-        const double length = arm.norm();
-        if (length > 0)
-        {
-            const double sine = normal_[above].dot(arm) / length;
-            lean.lowest = std::min(lean.lowest, sine);
-            lean.highest = std::max(lean.highest, sine);
-        }
+        const double height = normal_[b].dot(corner_[sides_[s].corner] - from);
+        sides.above = sides.above || height > same;
+        sides.below = sides.below || height < -same;
     }
-    return lean;
+    return sides;
 }
 
 template <int D>

@@ -18,10 +18,13 @@ struct Foot
     int joint;   ///< edge or corner it lies on; -1: inside the facet
 };
 
-/// Sines of the angles under which something rises above a plane.
-struct Lean
+/// On which sides of a plane something lies.
+struct Sides
 {
-    double lowest, highest;
+    bool above = false, below = false;
+
+    bool none() const { return !above && !below; }
+    bool lies(bool onTop) const { return onTop ? above : below; }
 };
 
 /// Segments or triangles, where they are now.
@@ -52,8 +55,8 @@ public:
         }
     }
 
-    /// How a facet rises from a joint above the plane of another one.
-    Lean lean(int facet, int joint, int above) const;
+    /// Sides of facet b's plane on which facet a lies, given one of their joints; none if their planes are the same.
+    Sides sides(int a, int b, int joint) const;
 
     /// Round-off of distances [m].
     double roundOff() const { return roundOff_; }
@@ -87,6 +90,7 @@ private:
     WallJoints<D> joints_;
     Vectors<D> corner_;   ///< where they are now
     Vectors<D> normal_;
+    std::vector<double> size_;   ///< greatest distance of corners from a facet's first [m]
     std::vector<Side> sides_;
     std::vector<Edge> edges_;
     double roundOff_ = 0;

@@ -77,6 +77,24 @@ TEST(ConcaveCorner, OfAnObtuseAngleStopsAFastGrainInTime)
     EXPECT_LE(dynamics.worstOverlap(), 1e-10);
 }
 
+TEST(Ridge, DoesNotCarryAGrainThatOnlyTheFloorBehindItIsLevelWith)
+{
+    // The ridge and the step are smaller than the grain; continued, the floor behind would hold it 0.1 too high
+    Scene<2> scene;
+    scene.walls = {{{-4, 0}, {0, 0}, 1},
+                   {{0, 0}, {0.1, 0.2}, 1},
+                   {{0.1, 0.2}, {0.3, 0.1}, 1},
+                   {{0.3, 0.1}, {4, 0.1}, 1}};
+    scene.add({-1.2, 1.3}, {0, -1});
+    auto dynamics = scene.dynamics();
+    for (int i = 0; i < 50; ++i)
+    {
+        fall<2>(dynamics, up<2>(-g), dt);
+    }
+    EXPECT_NEAR(dynamics.grains().position[0].y(), 1, 1e-10);
+    EXPECT_EQ(dynamics.grains().position[0].x(), -1.2);
+}
+
 TEST(ConvexCorner, TurnsAGrainAroundItWithoutOverlap)
 {
     Scene<2> scene;

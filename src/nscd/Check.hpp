@@ -25,6 +25,20 @@ inline bool isPositive(double value)
     return std::isfinite(value) && value > 0;
 }
 
+/// std::isfinite of all components; raises no floating-point exception.
+template <class V>
+bool isFinite(const V& v)
+{
+    for (int d = 0; d < v.size(); ++d)
+    {
+        if (!std::isfinite(v[d]))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// A radius in metres must be positive.
 inline void checkRadius(double radius)
 {

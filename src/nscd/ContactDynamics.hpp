@@ -7,6 +7,7 @@
 #include "nscd/ContactTable.hpp"
 #include "nscd/Grains.hpp"
 #include "nscd/Mpi.hpp"
+#include "nscd/Solver.hpp"
 #include "nscd/Walls.hpp"
 
 #include <array>
@@ -15,14 +16,6 @@
 
 namespace nscd
 {
-
-/// How the impulses of all contacts are found; the answer is the same.
-enum class Solver
-{
-    sweeps,     ///< plain non-linear Gauss-Seidel: all contacts, one after the other, again and again
-    queue,      ///< only contacts whose grains have changed by more than the tolerance since they were last solved
-    nesterov    ///< sweeps with momentum, restarted when they go astray, and plain sweeps to finish
-};
 
 /// How the contact problem is solved.
 struct Settings

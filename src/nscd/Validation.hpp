@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include "nscd/Check.hpp"
 #include "nscd/ContactDynamics.hpp"
 
-#include <cmath>
 #include <string>
 
 namespace nscd
@@ -28,19 +28,5 @@ void validate(const Settings& settings);
 void validate(const ContactTable& table);
 
 void checkMaterial(int material, const ContactTable& table, const std::string& owner);
-
-/// std::isfinite of all components; raises no floating-point exception.
-template <class V>
-bool isFinite(const V& v)
-{
-    for (int d = 0; d < v.size(); ++d)
-    {
-        if (!std::isfinite(v[d]))
-        {
-            return false;
-        }
-    }
-    return true;
-}
 
 }  // namespace nscd

@@ -53,7 +53,32 @@ WallContact<D>::WallContact(const Walls<D>& walls)
         facetBody.push_back(body_.back());
     }
     mesh_ = WallMesh<D>(facets, facetBody);
-    tree_ = BoxTree<D>(mesh_.bounds(), facetBody);
+    std::vector<int> movingBody;
+    for (int facet = 0; facet < mesh_.facets(); ++facet)
+    {
+        if (facetBody[facet] < 0)
+        {
+            fixed_.facets.push_back(facet);
+        }
+        else
+        {
+            moving_.facets.push_back(facet);
+            movingBody.push_back(facetBody[facet]);
+        }
+    }
+    fixed_.tree = BoxTree<D>(bounds(fixed_.facets), std::vector<int>(fixed_.facets.size(), 0));
+    moving_.tree = BoxTree<D>(bounds(moving_.facets), movingBody);
+}
+
+template <int D>
+std::vector<Bounds<D>> WallContact<D>::bounds(const std::vector<int>& facets) const
+{
+    std::vector<Bounds<D>> boxes;
+    for (const int facet : facets)
+    {
+        boxes.push_back(mesh_.bounds(facet));
+    }
+    return boxes;
 }
 
 template <int D>
@@ -104,52 +129,54 @@ std::optional<Approach<D>> WallContact<D>::approach(int wall, const Vector<D>& c
         return approachPlane(facet, centre, radius);
     }
 
-    const Company others = company(facet, foot.joint, centre);
+    const Company others = company(facet, foot.joint, centre, false);
     if (others.nearest < 0)
     {
         return others.first ? std::optional(approachJoint(facet, foot.point, centre, radius)) : std::nullopt;
     }
-    if (others.inPlane || !others.bentTowards)
-    {
-        return std::nullopt;
-    }
     const Approach<D> continued = approachPlane(facet, centre, radius);
-    return continued.gap > 0 && inHollow(others.nearest, centre) ? std::optional(continued) : std::nullopt;
+    return others.hollow && continued.gap > 0 && inHollow(others.nearest, centre) ? std::optional(continued)
+                                                                                 : std::nullopt;
 }
 
 template <int D>
-auto WallContact<D>::company(int facet, int joint, const Vector<D>& x) const -> Company
+auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat) const -> Company
 {
     Company company;
     double shortest = 0;
     const bool above = mesh_.height(facet, x) >= 0;
-    mesh_.forFacetsAt(joint,
-                      [&](int other)
-                      {
-                          const Foot<D> foot = mesh_.nearest(other, x);
-                          const bool nearer = foot.joint != joint;
-                          company.first = company.first && (nearer || facet <= other);
-                          if (!nearer && facet <= other)
-                          {
-                              return;
-                          }
-                          const Sides otherOverThis = mesh_.sides(other, facet, joint);
-                          const Sides thisOverOther = mesh_.sides(facet, other, joint);
-                          company.inPlane = company.inPlane || (otherOverThis.none() && thisOverOther.none());
-                          if (!nearer)
-                          {
-                              return;
-                          }
-                          const bool aboveOther = mesh_.height(other, x) >= 0;
-                          company.bentTowards = company.bentTowards && !otherOverThis.lies(!above) &&
-                                                !thisOverOther.lies(!aboveOther);
-                          const double square = (foot.point - x).squaredNorm();
-                          if (company.nearest < 0 || square < shortest)
-                          {
-                              company.nearest = other;
-                              shortest = square;
-                          }
-                      });
+    for (const int other : mesh_.facetsAt(joint))
+    {
+        const Foot<D> foot = mesh_.nearest(other, x);
+        const bool nearer = foot.joint != joint;
+        if (!nearer && facet <= other)
+        {
+            continue;
+        }
+        company.first = company.first && nearer;
+        const Sides otherOverThis = mesh_.sides(other, facet, joint);
+        const Sides thisOverOther = mesh_.sides(facet, other, joint);
+        if (!flat && otherOverThis.none() && thisOverOther.none())
+        {
+            company.hollow = false;   // the plane is the other one's
+        }
+        if (!nearer)
+        {
+            continue;
+        }
+        const bool aboveOther = mesh_.height(other, x) >= 0;
+        company.hollow = company.hollow && !otherOverThis.lies(!above) && !thisOverOther.lies(!aboveOther);
+        const double square = (foot.point - x).squaredNorm();
+        if (company.nearest < 0 || square < shortest)
+        {
+            company.nearest = other;
+            shortest = square;
+        }
+        if (!company.hollow)
+        {
+            break;
+        }
+    }
     return company;
 }
 
@@ -163,13 +190,13 @@ bool WallContact<D>::inHollow(int facet, const Vector<D>& x) const
         {
             return true;
         }
-        const Company others = company(facet, foot.joint, x);
+        const Company others = company(facet, foot.joint, x, true);
         if (others.nearest < 0)
         {
             const Vector<D> below = x - mesh_.height(facet, x) * mesh_.normal(facet);
             return (below - foot.point).norm() <= 4 * mesh_.roundOff();
         }
-        if (!others.bentTowards)
+        if (!others.hollow)
         {
             return false;
         }
@@ -180,7 +207,11 @@ bool WallContact<D>::inHollow(int facet, const Vector<D>& x) const
 template <int D>
 void WallContact<D>::place(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& now)
 {
-    const auto motions = rigidMotions<D>(initial, now);
+    std::vector<RigidMotion<D>> motions = rigidMotions<D>(initial, now);
+    if (motions == motions_)
+    {
+        return;
+    }
     for (HalfSpace& halfSpace : halfSpaces_)
     {
         const int body = body_[halfSpace.wall];
@@ -195,7 +226,8 @@ void WallContact<D>::place(const std::vector<WallBody<D>>& initial, const std::v
         halfSpace.point = halfSpace.initialPoint + motions[body].shift;
     }
     mesh_.move(motions);
-    tree_.refit(mesh_.bounds());
+    moving_.tree.refit(bounds(moving_.facets));
+    motions_ = std::move(motions);
 }
 
 template <int D>

@@ -68,6 +68,14 @@ private:
         int wall;
     };
 
+    /// Finds facets by their boxes.
+    struct Search
+    {
+        std::vector<int> facets;
+        BoxTree<D> tree;
+    };
+
+    std::vector<Bounds<D>> bounds(const std::vector<int>& facets) const;
     double height(const HalfSpace& halfSpace, const Vector<D>& x) const;
     Approach<D> approachPlane(int facet, const Vector<D>& centre, double radius) const;
     Approach<D> approachJoint(int facet, const Vector<D>& point, const Vector<D>& centre, double radius) const;
@@ -75,12 +83,13 @@ private:
     /// What the other facets of a joint are to a facet whose nearest point to x lies there.
     struct Company
     {
-        int nearest = -1;            ///< the facet nearest to x of those that have a nearer point; -1: none
-        bool first = true;           ///< are the others that end there of higher numbers?
-        bool inPlane = false;        ///< does one of the nearer or first ones lie in the same plane?
-        bool bentTowards = true;     ///< do all nearer ones lean towards the facet, or lie in its plane?
+        int nearest = -1;      ///< one that has a nearer point; of those in a hollow, the nearest; -1: none
+        bool first = true;     ///< are all others that end there of higher numbers?
+        bool hollow = true;    ///< do all nearer ones lean towards the facet, as seen from x?
     };
-    Company company(int facet, int joint, const Vector<D>& x) const;
+
+    /// With 'flat', facets in one plane make a hollow too.
+    Company company(int facet, int joint, const Vector<D>& x, bool flat) const;
 
     /// Does x lie above a facet, or above one to which a hollow leads from there?
     bool inHollow(int facet, const Vector<D>& x) const;
@@ -90,7 +99,8 @@ private:
     std::vector<int> wallOf_;              ///< of each facet
     std::vector<HalfSpace> halfSpaces_;
     WallMesh<D> mesh_;
-    BoxTree<D> tree_;                      ///< of the facets
+    Search fixed_, moving_;
+    std::vector<RigidMotion<D>> motions_;  ///< of the bodies when the walls were last moved
 };
 
 template <int D>
@@ -105,14 +115,18 @@ void WallContact<D>::forNear(const Vector<D>& x, double reach, F&& f) const
         }
     }
     const Vector<D> margin = Vector<D>::Constant(reach);
-    tree_.forMeeting({x - margin, x + margin},
-                     [&](int facet)
-                     {
-                         if ((mesh_.nearest(facet, x).point - x).squaredNorm() < reach * reach)
-                         {
-                             f(wallOf_[facet]);
-                         }
-                     });
+    for (const Search* search : {&fixed_, &moving_})
+    {
+        search->tree.forMeeting({x - margin, x + margin},
+                                [&](int i)
+                                {
+                                    const int facet = search->facets[i];
+                                    if ((mesh_.nearest(facet, x).point - x).squaredNorm() < reach * reach)
+                                    {
+                                        f(wallOf_[facet]);
+                                    }
+                                });
+    }
 }
 
 extern template class WallContact<2>;

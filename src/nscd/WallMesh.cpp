@@ -14,6 +14,9 @@ namespace
 /// Facets that lean against each other by less than about this angle [rad] are in one plane.
 constexpr double flat = 1e-5;
 
+/// Round-off of distances over the largest coordinate, with some room.
+constexpr double relativeRoundOff = 1e-12;
+
 }  // namespace
 
 template <int D>
@@ -25,27 +28,45 @@ WallMesh<D>::WallMesh(const std::vector<Facet<D>>& facets, const std::vector<int
     {
         sides_.push_back({Vector<D>::Zero(), side.corner, side.edge});
     }
-    measureEdges();
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+    {
+        measureEdge(static_cast<int>(e));
+    }
     for (int f = 0; f < this->facets(); ++f)
     {
         measure(f);
     }
+    for (const Vector<D>& x : corner_)
+    {
+        initialRoundOff_ = std::max(initialRoundOff_, relativeRoundOff * x.cwiseAbs().maxCoeff());
+    }
+    roundOff_ = initialRoundOff_;
+    movingCorners_ = moving(corner_.size(), [](int c) { return c; });
+    movingEdges_ = moving(edges_.size(), [this](int e) { return edges_[e].from; });
+    movingFacets_ = moving(normal_.size(), [this](int f) { return sides_[joints_.sideBegin[f]].corner; });
 }
 
 template <int D>
-void WallMesh<D>::measureEdges()
+template <class Corner>
+std::vector<int> WallMesh<D>::moving(std::size_t n, Corner&& cornerOf) const
 {
-    roundOff_ = 0;
-    for (const Vector<D>& x : corner_)
+    std::vector<int> found;
+    for (int i = 0; i < static_cast<int>(n); ++i)
     {
-        roundOff_ = std::max(roundOff_, 1e-12 * x.cwiseAbs().maxCoeff());
+        if (joints_.body[cornerOf(i)] >= 0)
+        {
+            found.push_back(i);
+        }
     }
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-    {
-        const auto& [from, to] = joints_.edge[e];
-        const Vector<D> edge = corner_[to] - corner_[from];
-        edges_[e] = {edge.normalized(), edge.norm(), from};
-    }
+    return found;
+}
+
+template <int D>
+void WallMesh<D>::measureEdge(int edge)
+{
+    const auto& [from, to] = joints_.edge[edge];
+    const Vector<D> along = corner_[to] - corner_[from];
+    edges_[edge] = {along.normalized(), along.norm(), from};
 }
 
 template <>
@@ -155,39 +176,33 @@ Sides WallMesh<D>::sides(int a, int b, int joint) const
 }
 
 template <int D>
-std::vector<Bounds<D>> WallMesh<D>::bounds() const
+Bounds<D> WallMesh<D>::bounds(int facet) const
 {
-    std::vector<Bounds<D>> boxes;
-    for (int f = 0; f < facets(); ++f)
+    const std::size_t begin = joints_.sideBegin[facet];
+    Bounds<D> box{corner_[sides_[begin].corner], corner_[sides_[begin].corner]};
+    for (std::size_t s = begin + 1; s < joints_.sideBegin[facet + 1]; ++s)
     {
-        const std::size_t begin = joints_.sideBegin[f];
-        Bounds<D> box{corner_[sides_[begin].corner], corner_[sides_[begin].corner]};
-        for (std::size_t s = begin + 1; s < joints_.sideBegin[f + 1]; ++s)
-        {
-            box.enclose({corner_[sides_[s].corner], corner_[sides_[s].corner]});
-        }
-        boxes.push_back(box);
+        box.enclose({corner_[sides_[s].corner], corner_[sides_[s].corner]});
     }
-    return boxes;
+    return box;
 }
 
 template <int D>
 void WallMesh<D>::move(const std::vector<RigidMotion<D>>& motions)
 {
-    for (std::size_t c = 0; c < corner_.size(); ++c)
+    roundOff_ = initialRoundOff_;
+    for (const int c : movingCorners_)
     {
-        if (joints_.body[c] >= 0)
-        {
-            corner_[c] = motions[joints_.body[c]](joints_.corner[c]);
-        }
+        corner_[c] = motions[joints_.body[c]](joints_.corner[c]);
+        roundOff_ = std::max(roundOff_, relativeRoundOff * corner_[c].cwiseAbs().maxCoeff());
     }
-    measureEdges();
-    for (int f = 0; f < facets(); ++f)
+    for (const int e : movingEdges_)
     {
-        if (joints_.body[sides_[joints_.sideBegin[f]].corner] >= 0)
-        {
-            measure(f);
-        }
+        measureEdge(e);
+    }
+    for (const int f : movingFacets_)
+    {
+        measure(f);
     }
 }
 

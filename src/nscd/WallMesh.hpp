@@ -45,14 +45,19 @@ public:
     /// Height of a point above the plane of a facet [m].
     double height(int facet, const Vector<D>& x) const;
 
-    /// Call f(facet) for all facets that meet in a joint, in the order of their numbers.
-    template <class F>
-    void forFacetsAt(int joint, F&& f) const
+    /// The facets that meet in a joint, in the order of their numbers.
+    struct Facets
     {
-        for (std::size_t k = joints_.facetBegin[joint]; k < joints_.facetBegin[joint + 1]; ++k)
-        {
-            f(joints_.facet[k]);
-        }
+        const int *first, *last;
+
+        const int* begin() const { return first; }
+        const int* end() const { return last; }
+    };
+
+    Facets facetsAt(int joint) const
+    {
+        const int* facets = joints_.facet.data();
+        return {facets + joints_.facetBegin[joint], facets + joints_.facetBegin[joint + 1]};
     }
 
     /// Sides of facet b's plane on which facet a lies, given one of their joints; none if their planes are the same.
@@ -61,8 +66,7 @@ public:
     /// Round-off of distances [m].
     double roundOff() const { return roundOff_; }
 
-    /// Boxes around the facets.
-    std::vector<Bounds<D>> bounds() const;
+    Bounds<D> bounds(int facet) const;
 
     /// Go where the bodies are that have moved like this; body -1 stays.
     void move(const std::vector<RigidMotion<D>>& motions);
@@ -84,16 +88,21 @@ private:
         int from;
     };
 
+    void measureEdge(int edge);
     void measure(int facet);
-    void measureEdges();
+
+    /// Numbers below n of what belongs to a body, given its corner.
+    template <class Corner>
+    std::vector<int> moving(std::size_t n, Corner&& cornerOf) const;
 
     WallJoints<D> joints_;
+    std::vector<int> movingCorners_, movingEdges_, movingFacets_;
     Vectors<D> corner_;   ///< where they are now
     Vectors<D> normal_;
     std::vector<double> size_;   ///< greatest distance of corners from a facet's first [m]
     std::vector<Side> sides_;
     std::vector<Edge> edges_;
-    double roundOff_ = 0;
+    double initialRoundOff_ = 0, roundOff_ = 0;
 };
 
 template <>

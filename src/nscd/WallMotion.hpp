@@ -24,7 +24,10 @@ struct RigidMotion
 
     Vector<D> operator()(const Vector<D>& x) const { return x + (turn * (x - centre) + shift); }
 
-    Vector<D> rotated(const Vector<D>& direction) const { return direction + turn * direction; }
+    bool operator==(const RigidMotion& other) const
+    {
+        return centre == other.centre && shift == other.shift && turn == other.turn;
+    }
 
     Vector<D> centre, shift;
     Matrix turn;   ///< rotation matrix minus identity

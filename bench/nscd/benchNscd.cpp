@@ -95,7 +95,7 @@ void run(const std::string& packing, int steps, int sweeps, std::size_t count, b
         const nscd::StepReport report = dynamics.step(weight, noTorque, dt);
         detection += report.detectionTime;
         solution += report.solutionTime;
-        solves += static_cast<double>(report.contacts) * report.sweeps / report.subSteps;
+        solves += static_cast<double>(report.solves);
         sweepsDone += report.sweeps;
         if (step % shown == 0)
         {

@@ -3,7 +3,7 @@
 
 // Spheres of a CSV file (x, y, z, r) that fall into an open box with a square floor and come to rest.
 //
-//     benchSettle init.csv side endTime dt maxSweeps tolerance final.csv
+//     benchSettle init.csv side endTime dt maxSweeps tolerance final.csv [sweeps|queue|nesterov]
 
 #include "nscd/ContactDynamics.hpp"
 
@@ -63,9 +63,9 @@ double cpuSeconds()
 
 int main(int argc, char** argv)
 {
-    if (argc != 8)
+    if (argc != 8 && argc != 9)
     {
-        std::fprintf(stderr, "usage: benchSettle init.csv side endTime dt maxSweeps tolerance final.csv\n");
+        std::fprintf(stderr, "usage: benchSettle init.csv side endTime dt maxSweeps tolerance final.csv [solver]\n");
         return 2;
     }
     MPI_Init(&argc, &argv);
@@ -84,6 +84,9 @@ int main(int argc, char** argv)
     nscd::Settings settings;
     settings.maxSweeps = std::atoi(argv[5]);
     settings.tolerance = std::atof(argv[6]);
+    const std::string solver = argc > 8 ? argv[8] : "sweeps";
+    settings.solver = solver == "queue" ? nscd::Solver::queue
+                                        : solver == "nesterov" ? nscd::Solver::nesterov : nscd::Solver::sweeps;
     nscd::ContactDynamics<3> dynamics(read(argv[1]), walls, table, settings);
 
     nscd::Vectors<3> weight;
@@ -101,7 +104,7 @@ int main(int argc, char** argv)
     {
         const nscd::StepReport report = dynamics.step(weight, noTorque, dt);
         sweeps += report.sweeps;
-        solves += static_cast<double>(report.contacts) * report.sweeps / report.subSteps;
+        solves += static_cast<double>(report.solves);
         detection += report.detectionTime;
         solution += report.solutionTime;
         worst = std::max(worst, report.worstOverlap);

@@ -59,6 +59,7 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
     origin_.clear();
     leveredOrigin_.clear();
     begin_.clear();
+    touchingBegin_.clear();
     for (const Group& group : candidates_.groups())
     {
         begin_.push_back({contacts_.size(), levered_.size()});

@@ -46,7 +46,8 @@ struct StepReport
     std::size_t contacts = 0;     ///< contacts in the last contact problem (pairs that may touch within the step)
     std::size_t active = 0;       ///< contacts with a non-zero impulse after the last sub-step
     int subSteps = 0;
-    int sweeps = 0;               ///< summed over the sub-steps
+    int sweeps = 0;               ///< passes over the contacts, summed over the sub-steps
+    std::size_t solves = 0;       ///< local solutions, of all ranks
     bool converged = true;        ///< every sub-step reached the tolerance
     double residual = 0;          ///< worst natural-map residual at the end of a sub-step [m/s]
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]

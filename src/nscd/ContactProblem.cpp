@@ -25,20 +25,20 @@ void ContactProblem<D>::applyImpulses(int group, std::vector<Body<D>>& bodies) c
 }
 
 template <int D>
-double ContactProblem<D>::sweep(int group, std::vector<Body<D>>& bodies)
+Change ContactProblem<D>::sweep(int group, std::vector<Body<D>>& bodies)
 {
-    double largest = 0;
+    Change change;
     Body<D>* body = bodies.data();
     Contact<D>* end = contacts_.data() + begin_[group + 1].contact;
     for (Contact<D>* contact = contacts_.data() + begin_[group].contact; contact != end; ++contact)
     {
-        largest = std::max(largest, solve<D>(*contact, body));
+        change.add(solve<D>(*contact, body));
     }
     for (std::size_t k = begin_[group].levered; k < begin_[group + 1].levered; ++k)
     {
-        largest = std::max(largest, solve<D>(levered_[k], body));
+        change.add(solve<D>(levered_[k], body));
     }
-    return largest;
+    return change;
 }
 
 template <int D>

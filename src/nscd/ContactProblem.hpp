@@ -21,6 +21,21 @@ struct BodyData
     Vectors<D> wallCentre;               ///< of the free walls
 };
 
+/// What a pass over contacts did.
+struct Change
+{
+    double largest = 0;        ///< square of the largest W times change of an impulse [m^2/s^2]
+    double sum = 0;            ///< of these squares
+    std::size_t solves = 0;
+
+    void add(double square)
+    {
+        largest = std::max(largest, square);
+        sum += square;
+        ++solves;
+    }
+};
+
 /// This rank's share of the contact problem of one sub-step of length dt.
 /// Bodies are in solver order; then comes one that stands for the fixed walls and, as contacts need them, one for the
 /// point of contact of each moving wall.
@@ -44,8 +59,19 @@ public:
     /// Give the bodies the impulses of a group's contacts, and the attraction of those that cohere.
     void applyImpulses(int group, std::vector<Body<D>>& bodies) const;
 
-    /// Solve a group's contacts one after the other; returns the square of the largest change [m^2/s^2].
-    double sweep(int group, std::vector<Body<D>>& bodies);
+    /// Solve a group's contacts one after the other.
+    Change sweep(int group, std::vector<Body<D>>& bodies);
+
+    /// Solve those contacts of a group that are off by more than the tolerance [m/s], and again those whose bodies have
+    /// changed by more than it since (Henry 2025, algorithm 2 with its queue, but what has changed is accumulated).
+    Change workQueue(int group, std::vector<Body<D>>& bodies, double tolerance);
+
+    /// Go on in the direction of the last change: impulses += factor * (impulses - those of the last call), and the
+    /// bodies [begin, end) likewise.
+    void extrapolate(double factor, std::vector<Body<D>>& bodies, std::size_t begin, std::size_t end);
+
+    /// Remember the present impulses and velocities for extrapolate().
+    void remember(const std::vector<Body<D>>& bodies);
 
     /// Largest natural-map residual [m/s] over all candidates, chosen or not; marks those missed.
     double residual(const std::vector<Body<D>>& bodies);
@@ -104,6 +130,13 @@ private:
     /// Largest penetration velocity [m/s] of candidates that were not chosen; marks them.
     double findMissing(const std::vector<Body<D>>& bodies);
 
+    /// Contacts by body: those of body b are touching_[touchingBegin_[b] ... touchingBegin_[b + 1]), levered ones
+    /// counted on from the plain ones.
+    void listTouching(std::size_t bodies);
+
+    template <class F>
+    void forTouching(int group, int body, F&& f) const;
+
     const Arrangement<D>& arrangement_;
     const Candidates<D>& candidates_;
     const std::vector<WallBody<D>>& wallBodies_;
@@ -117,6 +150,13 @@ private:
     std::vector<Origin> origin_, leveredOrigin_;
     std::vector<Overlap<D>> overlaps_;    ///< of each contact, the levered ones of a group after the others
     std::vector<Begin> begin_;            ///< of each group, and the end
+
+    std::vector<int> touching_, touchingBegin_, queue_;
+    std::vector<double> pending_;         ///< change of a contact's bodies since it was solved [m/s]; < 0 in the queue
+
+    std::vector<Contact<D>> oldContacts_;
+    std::vector<LeveredContact<D>> oldLevered_;
+    std::vector<Body<D>> oldBodies_;
 };
 
 }  // namespace nscd

@@ -60,6 +60,9 @@ private:
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(const FreeMotion& free, double dt);
 
+    /// One pass of the chosen solver over all groups; its largest change is that of all ranks.  Collective.
+    Change pass(double tolerance);
+
     /// Sweep until the impulses are within the tolerance; false when the sweeps run out.
     bool solve(double dt, StepReport& report);
 
@@ -99,6 +102,7 @@ private:
     std::unique_ptr<Schedule<D>> schedule_;
     ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
     std::vector<Body<D>> bodies_, displacements_;
+    std::size_t solves_ = 0;             ///< of this rank in this sub-step
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
 
     Vectors<D> contactImpulse_;

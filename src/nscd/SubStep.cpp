@@ -12,9 +12,6 @@ namespace nscd
 namespace
 {
 
-/// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
-constexpr int firstLook = 4;
-
 /// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
 /// disturbs the force network; it must happen more slowly than the sweeps restore it.
 constexpr double cautiousShare = 0.1;
@@ -45,6 +42,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     report.detectionTime += watch.restart();
 
     schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
+    solves_ = 0;
     const bool converged = solve(dt, report);
     problem_.store(impulses_);
     for (Impulse<D>& impulse : impulses_)
@@ -57,11 +55,12 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     moveWalls(dt);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
-                               double(problem_.active())};
+                               double(problem_.active()), double(solves_)};
     communicator_.sum(counts);
     report.candidates = static_cast<std::size_t>(counts[0]);
     report.contacts = static_cast<std::size_t>(counts[1]);
     report.active = static_cast<std::size_t>(counts[2]);
+    report.solves += static_cast<std::size_t>(counts[3]);
     report.solutionTime += watch.seconds();
 }
 
@@ -146,43 +145,6 @@ void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free, doub
         }
     }
     bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
-}
-
-template <int D>
-bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
-{
-    const double tolerance = settings_.tolerance / dt;
-    double worthLooking = tolerance;
-    int nextLook = firstLook;
-    double residual = 0;
-    for (int sweeps = 1; sweeps <= settings_.maxSweeps; ++sweeps)
-    {
-        double change = 0;
-        schedule_->pass(bodies_, [&](int group) { change = std::max(change, problem_.sweep(group, bodies_)); });
-        change = std::sqrt(communicator_.max(change));
-        ++report.sweeps;
-        if (change > worthLooking && sweeps != nextLook && sweeps != settings_.maxSweeps)
-        {
-            continue;
-        }
-        worthLooking = std::min(worthLooking, change / 2);
-        nextLook = sweeps < nextLook ? nextLook : 4 * nextLook;
-
-        communicator_.share(bodies_, candidates_.rankBegin());
-        residual = communicator_.max(problem_.residual(bodies_));
-        if (residual <= tolerance)
-        {
-            break;
-        }
-        if (communicator_.max(problem_.incomplete()) > 0)
-        {
-            problem_.store(impulses_);
-            problem_.choose(bodies_, impulses_);
-        }
-    }
-    report.residual = std::max(report.residual, residual);
-    report.converged = report.converged && residual <= tolerance;
-    return residual <= tolerance;
 }
 
 template <int D>

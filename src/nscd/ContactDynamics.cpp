@@ -354,6 +354,12 @@ void ContactDynamics<D>::setTemperature(std::vector<double> temperature)
 }
 
 template <int D>
+void ContactDynamics<D>::remove(const std::vector<bool>& gone)
+{
+    implementation_->remove(gone);
+}
+
+template <int D>
 void ContactDynamics<D>::save(const std::string& file, double time) const
 {
     implementation_->save(file, time);

@@ -100,6 +100,10 @@ public:
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
     void setTemperature(std::vector<double> temperature);
 
+    /// Take the marked grains away; the others keep their order and the impulses of their contacts.  Collective.
+    /// Throws std::invalid_argument unless there is one mark per grain.
+    void remove(const std::vector<bool>& gone);
+
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
     /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.

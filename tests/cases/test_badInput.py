@@ -23,6 +23,16 @@ def drop(file, text):
     return swap(file, text, "")
 
 
+def cut(file, text):
+    """End a file before a text."""
+
+    def spoil(case):
+        path = case.path / file
+        path.write_text(path.read_text().partition(text)[0])
+
+    return spoil
+
+
 def csv(*lines):
     """Other grains."""
     return lambda case: (case.path / CSV).write_text("".join(line + "\n" for line in lines))
@@ -79,7 +89,7 @@ TABLE = [
     ("noFile", drop(GRAINS, 'file        "constant/grains.csv";'), [GRAINS, "'file'"]),
     ("noContact", swap(GRAINS, "\ncontact\n", "\ncontacts\n"), [GRAINS, "'contact'"]),
     ("noTolerance", drop(GRAINS, "tolerance   1e-7;"), [GRAINS, "contact", "'tolerance'"]),
-    ("noCoupling", swap(GRAINS, "\ncoupling\n", "\ncouplings\n"), [GRAINS, "'coupling'"]),
+    ("noCoupling", cut(GRAINS, "\ncoupling\n"), [GRAINS, "'coupling'"]),
     ("noDragShape", drop(GRAINS, "        shape   disc;\n"), [GRAINS, "drag", "'shape'"]),
     ("noGrainProperties", remove(GRAINS), [GRAINS]),
     (
@@ -196,8 +206,8 @@ TABLE = [
     ),
     (
         "wallType",
-        swap(GRAINS, "type        patches", "type        plane"),
-        [GRAINS, "'type'", "plane", "patches, surface"],
+        swap(GRAINS, "type        patches", "type        cube"),
+        [GRAINS, "'type'", "cube", "patches, surface"],
     ),
     (
         "noLaw",

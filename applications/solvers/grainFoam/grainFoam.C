@@ -26,6 +26,7 @@ Description
 #include "grainLedger.H"
 #include "incompleteTimes.H"
 #include "sigFpe.H"
+#include "timeControl.H"
 
 int main(int argc, char *argv[])
 {

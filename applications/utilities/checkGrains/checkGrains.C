@@ -14,7 +14,8 @@ Description
     step that is recommended, with the reason.
 
     The grains are those of grains.h5 in the start time if there is one, else
-    the initial grains of constant/grainProperties.  Returns 1 if the solver
+    the initial grains of constant/grainProperties.  They are in a fluid if
+    there is a file constant/transportProperties.  Returns 1 if the solver
     would refuse them.
 
 \*---------------------------------------------------------------------------*/
@@ -28,6 +29,77 @@ Description
 #include "packingReport.H"
 #include "recommendedTimeStep.H"
 
+// The state at the start time or the initial grains
+template<int D>
+nscd::Grains<D> readGrains(const grainProperties<D>& properties)
+{
+    const fileName state(properties.space().mesh().time().timePath()/"grains.h5");
+    if (!isFile(state, false))
+    {
+        Info<< "Initial grains of constant/grainProperties" << nl;
+        return properties.initialGrains();
+    }
+
+    nscd::ContactDynamics<D> dynamics
+    (
+        nscd::Grains<D>(), properties.walls().walls(),
+        properties.materials().contactTable(), properties.contact()
+    );
+    dynamics.load(state);
+    Info<< "Grains of " << state << nl;
+    return dynamics.grains();
+}
+
+
+void printTimeStepInFluid
+(
+    const grainProperties<2>& properties,
+    const nscd::Grains<2>& grains,
+    const dictionary& transport
+)
+{
+    const autoPtr<dragLaw> drag
+    (
+        dragLaw::New(dictionaryInput::subDict(properties.coupling(), "drag"))
+    );
+    const scalar rho =
+        dictionaryInput::getPositive(transport, "rho", dimDensity);
+    const scalar nu =
+        dictionaryInput::getPositive(transport, "nu", dimViscosity);
+
+    printTimeStep(properties, grains, *drag, rho, rho*nu);
+}
+
+
+// False if a solver would refuse the grains
+template<int D>
+bool check(const fvMesh& mesh, const dictionary& transport)
+{
+    const grainProperties<D> properties
+    (
+        mesh, meshObjects::gravity::New(mesh.time()).value()
+    );
+    const nscd::Grains<D> grains(readGrains(properties));
+
+    printPacking(properties, grains);
+    const bool good = printFaults(properties, grains);
+
+    if (grains.size())
+    {
+        if constexpr (D == 2)
+        {
+            if (transport.size())
+            {
+                printTimeStepInFluid(properties, grains, transport);
+                return good;
+            }
+        }
+        printTimeStep(properties, grains);
+    }
+    return good;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote("Check grains, their packing and their size.");
@@ -37,10 +109,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    const grainProperties properties
-    (
-        mesh, meshObjects::gravity::New(runTime).value()
-    );
+    // Empty for dry grains
     const IOdictionary transport
     (
         IOobject
@@ -48,48 +117,12 @@ int main(int argc, char *argv[])
             "transportProperties",
             runTime.constant(),
             mesh,
-            IOobject::MUST_READ,
+            IOobject::READ_IF_PRESENT,
             IOobject::NO_WRITE
         )
     );
-    const scalar rho =
-        dictionaryInput::getPositive(transport, "rho", dimDensity);
-    const scalar nu =
-        dictionaryInput::getPositive(transport, "nu", dimViscosity);
-
-    const fileName state(runTime.timePath()/"grains.h5");
-    nscd::Grains<2> grains;
-    if (isFile(state, false))
-    {
-        nscd::ContactDynamics<2> dynamics
-        (
-            grains, properties.walls(),
-            properties.materials().contactTable(), properties.contact()
-        );
-        dynamics.load(state);
-        grains = dynamics.grains();
-        Info<< "Grains of " << state << nl;
-    }
-    else
-    {
-        grains = properties.initialGrains();
-        Info<< "Initial grains of constant/grainProperties" << nl;
-    }
-
-    printPacking(properties, grains);
-    const bool good = printFaults(properties, grains);
-
-    if (grains.size())
-    {
-        const autoPtr<dragLaw> drag
-        (
-            dragLaw::New
-            (
-                dictionaryInput::subDict(properties.coupling(), "drag")
-            )
-        );
-        printTimeStep(properties, grains, *drag, rho, rho*nu);
-    }
+    const bool good =
+        isPlanar(mesh) ? check<2>(mesh, transport) : check<3>(mesh, transport);
 
     Info<< nl << (good ? "Grains OK." : "Failed: see above.") << nl
         << nl << "End" << nl << endl;

@@ -33,6 +33,52 @@ Usage
 #include "grainChecks.H"
 #include "packingReport.H"
 
+template<int D>
+void pack(const fvMesh& mesh, const dictionary& dict)
+{
+    const grainProperties<D> properties
+    (
+        mesh, meshObjects::gravity::New(mesh.time()).value()
+    );
+    const nscd::Grains<D> grains(properties.grains(dict));
+    const grainSpace<D>& space = properties.space();
+
+    const grainChecks<D> checks(properties, grains);
+    checks.requireInside();
+    checks.requireNoOverlap();
+
+    fileName file
+    (
+        dict.getOrDefault<fileName>("output", "constant/grains.csv")
+    );
+    if (!file.isAbsolute())
+    {
+        file = mesh.time().path()/file;
+    }
+    mkDir(file.path());
+
+    OFstream os(file);
+    os.precision(17);
+    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature" << nl;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const point x(space.positionInSpace(grains.position[i]));
+        const vector v(space.toSpace(grains.velocity[i]));
+        const vector w(space.spinInSpace(grains.spin[i]));
+
+        os  << x.x() << ',' << x.y() << ',' << x.z() << ','
+            << grains.radius[i] << ','
+            << v.x() << ',' << v.y() << ',' << v.z() << ','
+            << w.x() << ',' << w.y() << ',' << w.z() << ','
+            << properties.materials().names()[grains.material[i]] << ','
+            << grains.temperature[i] << nl;
+    }
+
+    printPacking(properties, grains);
+    Info<< nl << "Wrote " << file << nl << nl << "End" << nl << endl;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote("Make an initial packing of grains.");
@@ -56,46 +102,13 @@ int main(int argc, char *argv[])
         )
     );
 
-    const grainProperties properties
-    (
-        mesh, meshObjects::gravity::New(runTime).value()
-    );
-    const nscd::Grains<2> grains(properties.grains(dict));
-    const planarMesh& plane = properties.plane();
-
-    const grainChecks checks(properties, grains);
-    checks.requireInside();
-    checks.requireNoOverlap();
-
-    fileName file
-    (
-        dict.getOrDefault<fileName>("output", "constant/grains.csv")
-    );
-    if (!file.isAbsolute())
+    if (isPlanar(mesh))
     {
-        file = runTime.path()/file;
+        pack<2>(mesh, dict);
     }
-    mkDir(file.path());
-
-    OFstream os(file);
-    os.precision(17);
-    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature" << nl;
-    for (std::size_t i = 0; i < grains.size(); ++i)
+    else
     {
-        const point x(plane.positionInSpace(grains.position[i]));
-        const vector v(plane.toSpace(grains.velocity[i]));
-        const vector w(plane.spinInSpace(grains.spin[i][0]));
-
-        os  << x.x() << ',' << x.y() << ',' << x.z() << ','
-            << grains.radius[i] << ','
-            << v.x() << ',' << v.y() << ',' << v.z() << ','
-            << w.x() << ',' << w.y() << ',' << w.z() << ','
-            << properties.materials().names()[grains.material[i]] << ','
-            << grains.temperature[i] << nl;
+        pack<3>(mesh, dict);
     }
-
-    printPacking(properties, grains);
-    Info<< nl << "Wrote " << file << nl << nl << "End" << nl << endl;
-
     return 0;
 }

@@ -7,7 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
-#include "grainSystem.H"
+#include "grainView.H"
 #include "OSspecific.H"
 
 namespace Foam
@@ -39,14 +39,14 @@ bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
     ids_ = labelHashSet(dict.getOrDefault<labelList>("grains", labelList()));
 
     const auto* grainsPtr =
-        mesh_.cfindObject<grainSystem>(grainSystem::registryName);
+        mesh_.cfindObject<grainView>(grainView::registryName);
 
     if (grainsPtr)
     {
         labelHashSet unknown(ids_);
-        for (const auto id : grainsPtr->dynamics().grains().id)
+        for (label i = 0; i < grainsPtr->size(); ++i)
         {
-            unknown.erase(label(id));
+            unknown.erase(grainsPtr->id(i));
         }
         if (unknown.size())
         {
@@ -82,40 +82,28 @@ Foam::OFstream& Foam::functionObjects::grainTracks::file()
 
 bool Foam::functionObjects::grainTracks::write()
 {
-    const auto* grainsPtr =
-        mesh_.cfindObject<grainSystem>(grainSystem::registryName);
-
-    if (!grainsPtr)
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " of type " << type()
-            << " finds no grains: this solver has none" << nl
-            << "    allowed: the solvers of grainFoam" << exit(FatalError);
-    }
+    const grainView& grains = grainView::of(mesh_, name());
     if (!Pstream::master())
     {
         return true;
     }
 
-    const grainSystem& grains = *grainsPtr;
-    const nscd::Grains<2>& state = grains.dynamics().grains();
-
     Ostream& os = file();
     for (label i = 0; i < grains.size(); ++i)
     {
-        if (ids_.size() && !ids_.found(label(state.id[i])))
+        if (ids_.size() && !ids_.found(grains.id(i)))
         {
             continue;
         }
-        os  << time_.timeName() << ',' << label(state.id[i]);
+        os  << time_.timeName() << ',' << grains.id(i);
         for
         (
             const vector& v :
             {
-                vector(grains.centres()[i]),
-                grains.velocity(i, Zero),
-                grains.plane().spinInSpace(state.spin[i][0]),
-                vector(grains.fluidForce()[i])
+                vector(grains.centre(i)),
+                grains.velocity(i),
+                grains.spin(i),
+                grains.fluidForce(i)
             }
         )
         {

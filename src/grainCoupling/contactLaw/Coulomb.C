@@ -18,9 +18,31 @@ namespace contactLaws
 }
 
 
+Foam::contactLaws::Coulomb::Coulomb
+(
+    const dictionary& dict,
+    wordList moreKeywords
+)
+{
+    moreKeywords.append
+    (
+        wordList({"type", "materials", "friction", "restitution", "rolling"})
+    );
+    dictionaryInput::checkKeywords(dict, moreKeywords);
+
+    parameters_.friction =
+        dictionaryInput::getScalar(dict, "friction", dimless, 0);
+    parameters_.restitution =
+        dictionaryInput::getScalarOrDefault
+        (
+            dict, "restitution", dimless, 0, 0, 1
+        );
+    parameters_.rolling =
+        dictionaryInput::getScalarOrDefault(dict, "rolling", dimless, 0, 0);
+}
+
+
 Foam::contactLaws::Coulomb::Coulomb(const dictionary& dict)
 :
-    friction_(dictionaryInput::getScalar(dict, "friction", dimless, 0))
-{
-    dictionaryInput::checkKeywords(dict, {"type", "materials", "friction"});
-}
+    Coulomb(dict, wordList())
+{}

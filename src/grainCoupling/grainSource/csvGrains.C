@@ -5,25 +5,20 @@
 
 #include "csvGrains.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "csvTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
-#include "planarMesh.H"
 
-namespace Foam
-{
-namespace grainSources
-{
-    defineTypeNameAndDebug(csv, 0);
-    addToRunTimeSelectionTable(grainSource, csv, dictionary);
-}
-}
+addToSelection(grainSource, grainSources, csv)
 
-
-Foam::grainSources::csv::csv(const dictionary& dict, const context& ctx)
+template<int D>
+Foam::grainSources::csv<D>::csv
+(
+    const dictionary& dict,
+    const typename grainSource<D>::context& ctx
+)
 :
-    grainSource(ctx),
+    grainSource<D>(ctx),
     dict_(dict),
     file_(dict.get<fileName>("file")),
     material_(ctx.materials.index(dict, "material"))
@@ -32,12 +27,13 @@ Foam::grainSources::csv::csv(const dictionary& dict, const context& ctx)
 
     if (!file_.isAbsolute())
     {
-        file_ = ctx.plane.mesh().time().globalPath()/file_;
+        file_ = ctx.space.mesh().time().globalPath()/file_;
     }
 }
 
 
-nscd::Grains<2> Foam::grainSources::csv::read() const
+template<int D>
+nscd::Grains<D> Foam::grainSources::csv<D>::read() const
 {
     const csvTable table
     (
@@ -46,8 +42,8 @@ nscd::Grains<2> Foam::grainSources::csv::read() const
         {"x", "y", "z", "radius"},
         {"vx", "vy", "vz", "wx", "wy", "wz", "material", "temperature"}
     );
-    const planarMesh& plane = context_.plane;
-    const grainMaterials& materials = context_.materials;
+    const grainSpace<D>& space = this->context_.space;
+    const grainMaterials& materials = this->context_.materials;
 
     const auto vectorOf = [&](const char* x, const char* y, const char* z, label i)
     {
@@ -57,11 +53,11 @@ nscd::Grains<2> Foam::grainSources::csv::read() const
         );
     };
 
-    nscd::Vectors<2> centres;
+    nscd::Vectors<D> centres;
     std::vector<double> radii;
     for (label i = 0; i < table.size(); ++i)
     {
-        centres.push_back(plane.toPlane(vectorOf("x", "y", "z", i)));
+        centres.push_back(space.fromSpace(vectorOf("x", "y", "z", i)));
         radii.push_back(table.number("radius", i));
         if (radii.back() <= 0)
         {
@@ -69,21 +65,21 @@ nscd::Grains<2> Foam::grainSources::csv::read() const
         }
     }
 
-    nscd::Grains<2> result(grains(centres, radii, material_));
+    nscd::Grains<D> result(this->grains(centres, radii, material_));
     for (label i = 0; i < table.size(); ++i)
     {
         const vector v(vectorOf("vx", "vy", "vz", i));
         const vector w(vectorOf("wx", "wy", "wz", i));
-        if (plane.outOfPlane(v) != 0)
+        if (!space.holds(v))
         {
             table.badValue("vx,vy,vz", i, "no velocity across the mesh");
         }
-        if (plane.spinLeavesPlane(w))
+        if (!space.holdsSpin(w))
         {
             table.badValue("wx,wy,wz", i, "spin about the normal of the mesh");
         }
-        result.velocity[i] = plane.toPlane(v);
-        result.spin[i][0] = plane.toSpin(w);
+        result.velocity[i] = space.fromSpace(v);
+        result.spin[i] = space.spinFromSpace(w);
         result.temperature[i] = table.number("temperature", i);
 
         if (table.found("material"))

@@ -7,19 +7,16 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
-#include "mathematicalConstants.H"
-#include "OStringStream.H"
-#include "planarMesh.H"
 #include "selected.H"
 
 namespace Foam
 {
-    defineTypeNameAndDebug(grainSource, 0);
-    defineRunTimeSelectionTable(grainSource, dictionary);
+    makeSelectable(grainSource)
 }
 
 
-Foam::autoPtr<Foam::grainSource> Foam::grainSource::New
+template<int D>
+Foam::autoPtr<Foam::grainSource<D>> Foam::grainSource<D>::New
 (
     const dictionary& dict,
     const context& ctx
@@ -32,18 +29,20 @@ Foam::autoPtr<Foam::grainSource> Foam::grainSource::New
 }
 
 
-void Foam::grainSource::checkKeywords(const dictionary& dict, wordList own)
+template<int D>
+void Foam::grainSource<D>::checkKeywords(const dictionary& dict, wordList own)
 {
     own.append(wordList({"type", "material", "output"}));
     dictionaryInput::checkKeywords(dict, own);
 }
 
 
-void Foam::grainSource::requireSome
+template<int D>
+void Foam::grainSource<D>::requireSome
 (
     const dictionary& dict,
     const scalar radius,
-    const nscd::Vectors<2>& centres
+    const nscd::Vectors<D>& centres
 )
 {
     if (centres.empty())
@@ -57,47 +56,15 @@ void Foam::grainSource::requireSome
 }
 
 
-nscd::Box<2> Foam::grainSource::box(const dictionary& dict) const
-{
-    const string allowed
-    (
-        "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
-    );
-    ITstream& is = dict.lookup("box");
-
-    // Two vectors of three numbers, with their brackets
-    if (is.size() != 10)
-    {
-        OStringStream value;
-        for (const token& t : static_cast<const tokenList&>(is))
-        {
-            value << t << ' ';
-        }
-        dictionaryInput::badValue(dict, "box", value.str(), allowed);
-    }
-    const point first(is), second(is);
-    const planarMesh::point2 a(context_.plane.toPlane(first));
-    const planarMesh::point2 b(context_.plane.toPlane(second));
-    const nscd::Box<2> result{a.cwiseMin(b), a.cwiseMax(b)};
-
-    if ((result.upper - result.lower).minCoeff() <= 0)
-    {
-        OStringStream value;
-        value << first << ' ' << second;
-        dictionaryInput::badValue(dict, "box", value.str(), allowed);
-    }
-    return result;
-}
-
-
-nscd::Grains<2> Foam::grainSource::grains
+template<int D>
+nscd::Grains<D> Foam::grainSource<D>::grains
 (
-    const nscd::Vectors<2>& centres,
+    const nscd::Vectors<D>& centres,
     const std::vector<double>& radii,
     const label material
 ) const
 {
-    nscd::Grains<2> g;
+    nscd::Grains<D> g;
     g.resize(centres.size());
     g.position = centres;
     g.radius = radii;
@@ -107,8 +74,12 @@ nscd::Grains<2> Foam::grainSource::grains
         g.id[i] = i;
         g.material[i] = material;
         g.mass[i] =
-            context_.materials.density(material)*context_.plane.depth()
-           *constant::mathematical::pi*sqr(radii[i]);
+            context_.materials.density(material)
+           *context_.space.volume(radii[i]);
     }
     return g;
 }
+
+
+template class Foam::grainSource<2>;
+template class Foam::grainSource<3>;

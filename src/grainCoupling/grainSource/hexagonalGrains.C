@@ -5,45 +5,38 @@
 
 #include "hexagonalGrains.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "nscd/Packing.hpp"
-#include "planarMesh.H"
+#include "readGeometry.H"
 
-namespace Foam
-{
-namespace grainSources
-{
-    defineTypeNameAndDebug(hexagonal, 0);
-    addToRunTimeSelectionTable(grainSource, hexagonal, dictionary);
-}
-}
+addToSelection(grainSource, grainSources, hexagonal)
 
-
-Foam::grainSources::hexagonal::hexagonal
+template<int D>
+Foam::grainSources::hexagonal<D>::hexagonal
 (
     const dictionary& dict,
-    const context& ctx
+    const typename grainSource<D>::context& ctx
 )
 :
-    grainSource(ctx),
+    grainSource<D>(ctx),
     radius_(dictionaryInput::getPositive(dict, "radius", dimLength)),
     material_(ctx.materials.index(dict, "material"))
 {
-    checkKeywords(dict, {"box", "radius", "gap"});
+    this->checkKeywords(dict, {"box", "radius", "gap"});
 
     const scalar gap =
         dictionaryInput::getScalarOrDefault(dict, "gap", dimLength, 0, 0);
 
-    centres_ = nscd::hexagonal<2>(box(dict), radius_, gap);
-    requireSome(dict, radius_, centres_);
+    centres_ = nscd::hexagonal<D>(readBox(dict, ctx.space), radius_, gap);
+    this->requireSome(dict, radius_, centres_);
 }
 
 
-nscd::Grains<2> Foam::grainSources::hexagonal::read() const
+template<int D>
+nscd::Grains<D> Foam::grainSources::hexagonal<D>::read() const
 {
-    return grains
+    return this->grains
     (
         centres_, std::vector<double>(centres_.size(), radius_), material_
     );

@@ -5,46 +5,39 @@
 
 #include "latticeGrains.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "nscd/Packing.hpp"
-#include "planarMesh.H"
+#include "readGeometry.H"
 
-namespace Foam
-{
-namespace grainSources
-{
-    defineTypeNameAndDebug(lattice, 0);
-    addToRunTimeSelectionTable(grainSource, lattice, dictionary);
-}
-}
+addToSelection(grainSource, grainSources, lattice)
 
-
-Foam::grainSources::lattice::lattice
+template<int D>
+Foam::grainSources::lattice<D>::lattice
 (
     const dictionary& dict,
-    const context& ctx
+    const typename grainSource<D>::context& ctx
 )
 :
-    grainSource(ctx),
+    grainSource<D>(ctx),
     radius_(dictionaryInput::getPositive(dict, "radius", dimLength)),
     material_(ctx.materials.index(dict, "material"))
 {
-    checkKeywords(dict, {"box", "radius", "spacing"});
+    this->checkKeywords(dict, {"box", "radius", "spacing"});
 
     const scalar spacing = dictionaryInput::getScalarOrDefault
     (
         dict, "spacing", dimLength, 2*radius_, 2*radius_
     );
-    centres_ = nscd::lattice<2>(box(dict), radius_, spacing);
-    requireSome(dict, radius_, centres_);
+    centres_ = nscd::lattice<D>(readBox(dict, ctx.space), radius_, spacing);
+    this->requireSome(dict, radius_, centres_);
 }
 
 
-nscd::Grains<2> Foam::grainSources::lattice::read() const
+template<int D>
+nscd::Grains<D> Foam::grainSources::lattice<D>::read() const
 {
-    return grains
+    return this->grains
     (
         centres_, std::vector<double>(centres_.size(), radius_), material_
     );

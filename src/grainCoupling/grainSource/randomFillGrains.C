@@ -5,32 +5,24 @@
 
 #include "randomFillGrains.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "nscd/Packing.hpp"
 #include "nscd/Random.hpp"
-#include "planarMesh.H"
+#include "readGeometry.H"
 
-namespace Foam
-{
-namespace grainSources
-{
-    defineTypeNameAndDebug(randomFill, 0);
-    addToRunTimeSelectionTable(grainSource, randomFill, dictionary);
-}
-}
+addToSelection(grainSource, grainSources, randomFill)
 
-
-Foam::grainSources::randomFill::randomFill
+template<int D>
+Foam::grainSources::randomFill<D>::randomFill
 (
     const dictionary& dict,
-    const context& ctx
+    const typename grainSource<D>::context& ctx
 )
 :
-    grainSource(ctx),
+    grainSource<D>(ctx),
     dict_(dict),
-    box_(box(dict)),
+    box_(readBox(dict, ctx.space)),
     number_(dictionaryInput::getLabel(dict, "number", 0)),
     minRadius_(dictionaryInput::getPositive(dict, "minRadius", dimLength)),
     maxRadius_
@@ -43,11 +35,12 @@ Foam::grainSources::randomFill::randomFill
     seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0)),
     material_(ctx.materials.index(dict, "material"))
 {
-    checkKeywords(dict, {"box", "number", "minRadius", "maxRadius", "seed"});
+    this->checkKeywords(dict, {"box", "number", "minRadius", "maxRadius", "seed"});
 }
 
 
-nscd::Grains<2> Foam::grainSources::randomFill::read() const
+template<int D>
+nscd::Grains<D> Foam::grainSources::randomFill<D>::read() const
 {
     nscd::Random random(seed_);
     std::vector<double> radii;
@@ -57,9 +50,9 @@ nscd::Grains<2> Foam::grainSources::randomFill::read() const
     }
     try
     {
-        return grains
+        return this->grains
         (
-            nscd::randomFill<2>(box_, radii, seed_), radii, material_
+            nscd::randomFill<D>(box_, radii, seed_), radii, material_
         );
     }
     catch (const std::exception& err)
@@ -71,5 +64,5 @@ nscd::Grains<2> Foam::grainSources::randomFill::read() const
           + string(err.what())
         );
     }
-    return nscd::Grains<2>();
+    return nscd::Grains<D>();
 }

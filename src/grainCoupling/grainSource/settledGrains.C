@@ -5,29 +5,21 @@
 
 #include "settledGrains.H"
 
-#include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
+#include "grainWalls.H"
 #include "nscd/Packing.hpp"
-#include "planarMesh.H"
 
-namespace Foam
-{
-namespace grainSources
-{
-    defineTypeNameAndDebug(settled, 0);
-    addToRunTimeSelectionTable(grainSource, settled, dictionary);
-}
-}
+addToSelection(grainSource, grainSources, settled)
 
-
-Foam::grainSources::settled::settled
+template<int D>
+Foam::grainSources::settled<D>::settled
 (
     const dictionary& dict,
-    const context& ctx
+    const typename grainSource<D>::context& ctx
 )
 :
-    grainSource(ctx),
+    grainSource<D>(ctx),
     dict_(dict),
     deltaT_(dictionaryInput::getPositive(dict, "deltaT", dimTime)),
     maxSpeed_
@@ -49,26 +41,27 @@ Foam::grainSources::settled::settled
 }
 
 
-nscd::Grains<2> Foam::grainSources::settled::read() const
+template<int D>
+nscd::Grains<D> Foam::grainSources::settled<D>::read() const
 {
     // Grains at rest need few sweeps, but on the way there a pile that is not
     // solved to the tolerance creeps
-    nscd::Settings contact(context_.contact);
+    nscd::Settings contact(this->context_.contact);
     contact.maxSweeps = std::max(contact.maxSweeps, 1000);
 
-    const nscd::Settled<2> result = nscd::settle<2>
+    const nscd::Settled<D> result = nscd::settle<D>
     (
-        nscd::ContactDynamics<2>
+        nscd::ContactDynamics<D>
         (
-            grainSource::New
+            grainSource<D>::New
             (
-                dictionaryInput::subDict(dict_, "from"), context_
+                dictionaryInput::subDict(dict_, "from"), this->context_
             )->read(),
-            context_.walls,
-            context_.materials.contactTable(),
+            this->context_.walls.walls(),
+            this->context_.materials.contactTable(),
             contact
         ),
-        context_.plane.toPlane(context_.g),
+        this->context_.space.fromSpace(this->context_.g),
         deltaT_,
         maxSpeed_,
         maxTime_
@@ -85,15 +78,15 @@ nscd::Grains<2> Foam::grainSources::settled::read() const
     }
     Info<< "Grains settled in " << result.time << " s" << endl;
 
-    nscd::Grains<2> grains(result.grains);
+    nscd::Grains<D> grains(result.grains);
     std::fill
     (
         grains.velocity.begin(), grains.velocity.end(),
-        nscd::Vector<2>::Zero()
+        nscd::Vector<D>::Zero()
     );
     std::fill
     (
-        grains.spin.begin(), grains.spin.end(), nscd::Spin<2>::Zero()
+        grains.spin.begin(), grains.spin.end(), nscd::Spin<D>::Zero()
     );
     return grains;
 }

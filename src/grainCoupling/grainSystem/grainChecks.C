@@ -5,32 +5,17 @@
 
 #include "grainChecks.H"
 
-#include "mathematicalConstants.H"
 #include "OStringStream.H"
 #include "Pstream.H"
+#include "wallDistance.H"
 
 #include <numeric>
 
-namespace
-{
-
-typedef Eigen::Vector2d Point;
-
-double distance(const nscd::Segment& s, const Point& x)
-{
-    const Point along(s.b - s.a);
-    const double t =
-        std::min(1.0, std::max(0.0, along.dot(x - s.a)/along.squaredNorm()));
-    return (s.a + t*along - x).norm();
-}
-
-}
-
-
-Foam::grainChecks::grainChecks
+template<int D>
+Foam::grainChecks<D>::grainChecks
 (
-    const grainProperties& properties,
-    const nscd::Grains<2>& grains
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains
 )
 :
     properties_(properties),
@@ -38,7 +23,8 @@ Foam::grainChecks::grainChecks
 {}
 
 
-void Foam::grainChecks::refuse(const string& what, const string& allowed) const
+template<int D>
+void Foam::grainChecks<D>::refuse(const string& what, const string& allowed) const
 {
     FatalIOErrorInFunction(properties_.dict())
         << "Keyword 'initialGrains': " << what.c_str() << nl
@@ -47,22 +33,24 @@ void Foam::grainChecks::refuse(const string& what, const string& allowed) const
 }
 
 
-Foam::string Foam::grainChecks::describe(const label i) const
+template<int D>
+Foam::string Foam::grainChecks<D>::describe(const label i) const
 {
     OStringStream os;
     os  << "grain " << label(grains_.id[i]) << " at "
-        << properties_.plane().positionInSpace(grains_.position[i])
+        << properties_.space().positionInSpace(grains_.position[i])
         << " with radius " << grains_.radius[i];
     return os.str();
 }
 
 
-Foam::labelList Foam::grainChecks::outside() const
+template<int D>
+Foam::labelList Foam::grainChecks<D>::outside() const
 {
     labelList inside(label(grains_.size()));
     forAll(inside, i)
     {
-        inside[i] = properties_.plane().findCell(grains_.position[i]) >= 0;
+        inside[i] = properties_.space().findCell(grains_.position[i]) >= 0;
     }
     Pstream::listCombineGather(inside, maxEqOp<label>());
     Pstream::listCombineScatter(inside);
@@ -79,7 +67,8 @@ Foam::labelList Foam::grainChecks::outside() const
 }
 
 
-std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
+template<int D>
+std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overlaps
 (
     const scalar fraction
 ) const
@@ -108,7 +97,7 @@ std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
     {
         for (auto b = a + 1; b != order.end(); ++b)
         {
-            const Point apart(grains_.position[*b] - grains_.position[*a]);
+            const nscd::Vector<D> apart(grains_.position[*b] - grains_.position[*a]);
             if (apart.x() > reach)
             {
                 break;
@@ -119,9 +108,10 @@ std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
                 result.push_back({*a, *b, depth});
             }
         }
-        for (const nscd::Segment& wall : properties_.walls())
+        for (const auto& wall : properties_.walls().walls())
         {
-            const scalar depth = r[*a] - distance(wall, grains_.position[*a]);
+            const scalar depth =
+                r[*a] - wallDistance(wall, grains_.position[*a]);
             if (depth > 2*fraction*r[*a])
             {
                 result.push_back({*a, -1, depth});
@@ -132,15 +122,15 @@ std::vector<Foam::grainChecks::overlap> Foam::grainChecks::overlaps
 }
 
 
-void Foam::grainChecks::requireMasses() const
+template<int D>
+void Foam::grainChecks<D>::requireMasses() const
 {
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const label m = grains_.material[i];
         const scalar mass =
             properties_.materials().density(m)*properties_.packingRatio()
-           *constant::mathematical::pi*sqr(grains_.radius[i])
-           *properties_.plane().depth();
+           *properties_.space().volume(grains_.radius[i]);
 
         // A mesh's depth is written with a finite number of digits
         if (mag(grains_.mass[i] - mass) > 1e-6*mass)
@@ -159,13 +149,14 @@ void Foam::grainChecks::requireMasses() const
 }
 
 
-void Foam::grainChecks::requireLaws() const
+template<int D>
+void Foam::grainChecks<D>::requireLaws() const
 {
     std::set<label> ofGrains(grains_.material.begin(), grains_.material.end());
     std::set<label> others(ofGrains);
-    for (const nscd::Segment& wall : properties_.walls())
+    for (const auto& wall : properties_.walls().walls())
     {
-        others.insert(wall.material);
+        others.insert(nscd::materialOf(wall));
     }
     for (const label a : ofGrains)
     {
@@ -177,14 +168,15 @@ void Foam::grainChecks::requireLaws() const
 }
 
 
-void Foam::grainChecks::requireInside() const
+template<int D>
+void Foam::grainChecks<D>::requireInside() const
 {
     const labelList lost(outside());
     if (lost.size())
     {
         OStringStream allowed;
         allowed << "centres inside the mesh, whose bounding box is "
-            << properties_.plane().mesh().bounds();
+            << properties_.space().mesh().bounds();
         refuse
         (
             describe(lost[0]) + " is outside the mesh, and so are "
@@ -195,7 +187,8 @@ void Foam::grainChecks::requireInside() const
 }
 
 
-void Foam::grainChecks::requireNoOverlap() const
+template<int D>
+void Foam::grainChecks<D>::requireNoOverlap() const
 {
     const scalar fraction = properties_.allowedOverlap();
     const std::vector<overlap> found(overlaps(fraction));
@@ -215,3 +208,7 @@ void Foam::grainChecks::requireNoOverlap() const
         );
     }
 }
+
+
+template class Foam::grainChecks<2>;
+template class Foam::grainChecks<3>;

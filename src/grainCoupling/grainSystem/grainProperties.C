@@ -5,13 +5,27 @@
 
 #include "grainProperties.H"
 
-#include "cyclicPolyPatch.H"
 #include "dictionaryInput.H"
-#include "grainWalls.H"
+#include "Enum.H"
+#include "meshPeriod.H"
 
-Foam::grainProperties::grainProperties(const fvMesh& mesh, const vector& g)
+namespace
+{
+
+const Foam::Enum<nscd::Solver> solvers
+({
+    {nscd::Solver::sweeps, "sweeps"},
+    {nscd::Solver::queue, "queue"},
+    {nscd::Solver::nesterov, "nesterov"}
+});
+
+}
+
+
+template<int D>
+Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
 :
-    plane_(mesh),
+    space_(mesh),
     dict_
     (
         IOobject
@@ -28,20 +42,10 @@ Foam::grainProperties::grainProperties(const fvMesh& mesh, const vector& g)
     materials_(dict_),
     walls_
     (
-        readGrainWalls
-        (
-            dictionaryInput::subDict(dict_, "walls"), plane_, materials_
-        )
+        dictionaryInput::subDict(dict_, "walls"), space_, materials_
     ),
     contact_(readContact()),
-    packingRatio_
-    (
-        dictionaryInput::getScalarOrDefault
-        (
-            dictionaryInput::subDict(dict_, "coupling"),
-            "packingRatio", dimless, 1, 0.1, 1
-        )
-    ),
+    packingRatio_(readPackingRatio()),
     allowedOverlap_
     (
         dictionaryInput::getScalarOrDefault
@@ -54,39 +58,38 @@ Foam::grainProperties::grainProperties(const fvMesh& mesh, const vector& g)
 }
 
 
-void Foam::grainProperties::check() const
+template<int D>
+void Foam::grainProperties<D>::check() const
 {
     dictionaryInput::checkKeywords
     (
         dict_,
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
-            "initialGrains", "allowedOverlap", "contact", "coupling"
+            "initialGrains", "allowedOverlap", "contact", "coupling",
+            "outlets"
         }
     );
-    dictionaryInput::checkKeywords
-    (
-        coupling(), {"packingRatio", "voidFraction", "drag"}
-    );
-
-    for (const polyPatch& patch : plane_.mesh().boundaryMesh())
+    if (dict_.found("coupling"))
     {
-        if (isA<cyclicPolyPatch>(patch))
-        {
-            WarningInFunction
-                << "Grains do not pass through the cyclic patch "
-                << patch.name() << ": one that reaches it leaves the mesh"
-                << endl;
-        }
+        dictionaryInput::checkKeywords
+        (
+            coupling(), {"packingRatio", "voidFraction", "drag"}
+        );
     }
 
     const word shape(dict_.get<word>("shape"));
-    if (shape != "disc")
+    if (shape != grainSpace<D>::shape)
     {
-        dictionaryInput::badValue(dict_, "shape", shape, "disc");
+        dictionaryInput::badValue
+        (
+            dict_, "shape", shape,
+            string(grainSpace<D>::shape) + ", as this mesh is "
+          + (D == 2 ? "two" : "three") + "-dimensional"
+        );
     }
 
-    if (mag(plane_.outOfPlane(g_)) > SMALL*mag(g_))
+    if (!space_.holds(g_))
     {
         FatalErrorInFunction
             << "Keyword 'value' of constant/g has a component across the mesh: "
@@ -96,13 +99,35 @@ void Foam::grainProperties::check() const
 }
 
 
-nscd::Settings Foam::grainProperties::readContact() const
+template<int D>
+const Foam::dictionary& Foam::grainProperties<D>::coupling() const
+{
+    return dictionaryInput::subDict(dict_, "coupling");
+}
+
+
+template<int D>
+Foam::scalar Foam::grainProperties<D>::readPackingRatio() const
+{
+    return
+        dict_.found("coupling")
+      ? dictionaryInput::getScalarOrDefault
+        (
+            coupling(), "packingRatio", dimless, 1, 0.1, 1
+        )
+      : 1;
+}
+
+
+template<int D>
+nscd::Settings Foam::grainProperties<D>::readContact() const
 {
     const dictionary& dict = dictionaryInput::subDict(dict_, "contact");
 
     dictionaryInput::checkKeywords
     (
-        dict, {"tolerance", "maxSweeps", "maxDisplacement", "blocks"}
+        dict,
+        {"tolerance", "maxSweeps", "maxDisplacement", "blocks", "solver"}
     );
 
     nscd::Settings settings;
@@ -127,18 +152,48 @@ nscd::Settings Foam::grainProperties::readContact() const
             dict, "blocks", Foam::name(settings.blocks), "a power of two"
         );
     }
+    const word solver(dict.getOrDefault<word>("solver", "sweeps"));
+    if (!solvers.found(solver))
+    {
+        dictionaryInput::badValue
+        (
+            dict, "solver", solver, dictionaryInput::listed(solvers.names())
+        );
+    }
+    settings.solver = solvers[solver];
+
+    const nscd::Vector<D> period(space_.fromSpace(meshPeriod(space_.mesh())));
+    std::copy(period.data(), period.data() + D, settings.period.begin());
     return settings;
 }
 
 
-nscd::Grains<2> Foam::grainProperties::grains(const dictionary& source) const
+template<int D>
+nscd::Vector<D> Foam::grainProperties<D>::wrapped(nscd::Vector<D> x) const
 {
-    nscd::Grains<2> result;
+    const nscd::Vector<D> lower(space_.globalDomain().min());
+    for (int d = 0; d < D; ++d)
+    {
+        if (contact_.period[d] > 0)
+        {
+            x[d] -=
+                contact_.period[d]
+               *std::floor((x[d] - lower[d])/contact_.period[d]);
+        }
+    }
+    return x;
+}
+
+
+template<int D>
+nscd::Grains<D> Foam::grainProperties<D>::grains(const dictionary& source) const
+{
+    nscd::Grains<D> result;
     try
     {
-        result = grainSource::New
+        result = grainSource<D>::New
         (
-            source, {plane_, materials_, walls_, contact_, g_}
+            source, {space_, materials_, walls_, contact_, g_}
         )->read();
     }
     catch (const std::exception& err)
@@ -156,7 +211,12 @@ nscd::Grains<2> Foam::grainProperties::grains(const dictionary& source) const
 }
 
 
-nscd::Grains<2> Foam::grainProperties::initialGrains() const
+template<int D>
+nscd::Grains<D> Foam::grainProperties<D>::initialGrains() const
 {
     return grains(dictionaryInput::subDict(dict_, "initialGrains"));
 }
+
+
+template class Foam::grainProperties<2>;
+template class Foam::grainProperties<3>;

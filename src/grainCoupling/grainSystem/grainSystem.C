@@ -5,79 +5,34 @@
 
 #include "grainSystem.H"
 
+#include "cyclicPolyPatch.H"
 #include "dictionaryInput.H"
-#include "grainChecks.H"
-#include "mathematicalConstants.H"
-#include "OSspecific.H"
 #include "Pstream.H"
-
-namespace Foam
-{
-    defineTypeNameAndDebug(grainSystem, 0);
-    const word grainSystem::registryName("grainSystem");
-}
-
 
 Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 :
-    regIOobject
-    (
-        IOobject(registryName, mesh.time().timeName(), mesh)
-    ),
-    properties_(mesh, g),
+    grainDynamics<2>(mesh, g),
     voidFraction_
     (
         voidFractionMethod::New
         (
-            dictionaryInput::subDict(properties_.coupling(), "voidFraction"),
-            plane()
+            dictionaryInput::subDict(properties().coupling(), "voidFraction"),
+            space()
         )
     )
 {
-    const bool restart = isFile(stateFile(), false);
-
-    try
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        dynamics_.reset
-        (
-            new nscd::ContactDynamics<2>
-            (
-                restart ? nscd::Grains<2>() : properties_.initialGrains(),
-                properties_.walls(),
-                properties_.materials().contactTable(),
-                properties_.contact()
-            )
-        );
-        if (restart)
-        {
-            dynamics_->load(stateFile());
-            Info<< "Grains continue from " << stateFile() << endl;
-        }
-        else if (mesh.time().value() > 0)
+        if (isA<cyclicPolyPatch>(patch))
         {
             WarningInFunction
-                << "There is no " << stateFile() << ": the initial grains of "
-                << properties_.dict().name() << " are put into the fields of"
-                << " time " << mesh.time().timeName() << endl;
+                << "Grains do not pass through the cyclic patch "
+                << patch.name() << ": one that reaches it leaves the mesh"
+                << endl;
         }
     }
-    catch (const std::exception& err)
-    {
-        FatalIOErrorInFunction(properties_.dict())
-            << "Keyword '" << (restart ? "startTime" : "initialGrains")
-            << "': " << err.what() << exit(FatalIOError);
-    }
 
-    const grainChecks checks(properties_, dynamics_->grains());
-    checks.requireMasses();
-    checks.requireLaws();
-    if (!restart)
-    {
-        checks.requireInside();
-        checks.requireNoOverlap();
-    }
-
-    fluidForce_.resize(dynamics_->grains().size(), Zero);
+    fluidForce_.resize(size(), Zero);
     map();
     checkLost();
 }
@@ -85,22 +40,20 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 
 Foam::scalar Foam::grainSystem::volume(const label graini) const
 {
-    return
-        constant::mathematical::pi*sqr(fluidRadius_[graini])*plane().depth();
+    return space().volume(fluidRadius_[graini]);
 }
 
 
 void Foam::grainSystem::map()
 {
-    const nscd::Grains<2>& grains = dynamics_->grains();
-    const label n = label(grains.size());
+    const label n = size();
 
     centre_.resize(n);
     fluidRadius_.resize(n);
     forAll(centre_, i)
     {
-        centre_[i] = plane().positionInSpace(grains.position[i]);
-        fluidRadius_[i] = Foam::sqrt(properties_.packingRatio())*grains.radius[i];
+        centre_[i] = centre(i);
+        fluidRadius_[i] = Foam::sqrt(properties().packingRatio())*radius(i);
     }
 
     voidFraction_->map(centre_, fluidRadius_, overlaps_);
@@ -119,19 +72,6 @@ void Foam::grainSystem::map()
 }
 
 
-Foam::vector Foam::grainSystem::velocity
-(
-    const label graini,
-    const vector& arm
-) const
-{
-    const nscd::Grains<2>& grains = dynamics_->grains();
-    return
-        plane().toSpace(grains.velocity[graini])
-      + (plane().spinInSpace(grains.spin[graini][0]) ^ arm);
-}
-
-
 Foam::vector Foam::grainSystem::contactVelocity
 (
     const label graini,
@@ -139,22 +79,19 @@ Foam::vector Foam::grainSystem::contactVelocity
     const scalar deltaT
 ) const
 {
-    const scalar lastDeltaT = dynamics_->lastTimeStep();
+    const scalar lastDeltaT = dynamics().lastTimeStep();
     if (lastDeltaT <= 0)
     {
         return Zero;
     }
 
-    const nscd::Grains<2>& grains = dynamics_->grains();
-    const scalar m = grains.mass[graini];
-    const scalar I =
-        nscd::inertiaFactor<2>*m*sqr(grains.radius[graini]);
-
     return deltaT/lastDeltaT*
     (
-        plane().toSpace(dynamics_->contactImpulse()[graini])/m
+        space().toSpace(dynamics().contactImpulse()[graini])
+       /grains().mass[graini]
       + (
-            plane().spinInSpace(dynamics_->contactSpinImpulse()[graini][0])/I
+            space().spinInSpace(dynamics().contactSpinImpulse()[graini])
+           /inertia(graini)
           ^ arm
         )
     );
@@ -168,28 +105,7 @@ void Foam::grainSystem::move
     const scalar deltaT
 )
 {
-    const nscd::Grains<2>& grains = dynamics_->grains();
-    nscd::Vectors<2> force(grains.size());
-    nscd::Spins<2> torque(grains.size());
-
-    forAll(fluidForce, i)
-    {
-        force[i] = plane().toPlane(fluidForce[i] + grains.mass[i]*properties_.g());
-        torque[i][0] = plane().toSpin(fluidTorque[i]);
-    }
-
-    try
-    {
-        lastStep_ = dynamics_->step(force, torque, deltaT);
-    }
-    catch (const std::exception& err)
-    {
-        FatalErrorInFunction
-            << "The contact solver stopped at time "
-            << mesh().time().timeName() << ": " << err.what()
-            << exit(FatalError);
-    }
-
+    advance(fluidForce, fluidTorque, deltaT);
     fluidForce_ = fluidForce;
     map();
 }
@@ -202,12 +118,12 @@ void Foam::grainSystem::checkLost() const
         if (mappedVolume_[i] <= 0)
         {
             FatalErrorInFunction
-                << "Grain " << label(dynamics_->grains().id[i]) << " at "
-                << centre_[i] << " with velocity " << velocity(i, Zero)
+                << "Grain " << id(i) << " at "
+                << centre_[i] << " with velocity " << velocity(i)
                 << " has left the mesh at time " << mesh().time().timeName()
                 << nl << "    there is a gap in the walls, or the time step"
                 << " is too large for the contact solver (worst overlap "
-                << lastStep_.worstOverlap << " m)" << exit(FatalError);
+                << lastStep().worstOverlap << " m)" << exit(FatalError);
         }
     }
 }

@@ -18,7 +18,7 @@ Foam::grainLedger::grainLedger
     grains_(grains),
     exchange_(exchange),
     mesh_(grains.mesh()),
-    startTime_(mesh_.time().value()),
+    progress_(mesh_.time()),
     meanCourant_(0),
     maxCourant_(0),
     momentumError_(0),
@@ -34,7 +34,7 @@ Foam::grainLedger::grainLedger
 
 void Foam::grainLedger::setVolumes()
 {
-    const Eigen::AlignedBox2d box(grains_.plane().globalDomain());
+    const Eigen::AlignedBox2d box(grains_.space().globalDomain());
 
     grainVolume_ = 0;
     mappedVolume_ = 0;
@@ -47,7 +47,7 @@ void Foam::grainLedger::setVolumes()
         mappedVolume_ += mapped;
 
         const scalar r = grains_.fluidDiameter(i)/2;
-        const Eigen::Vector2d x(grains_.plane().toPlane(grains_.centres()[i]));
+        const Eigen::Vector2d x(grains_.space().toPlane(grains_.centres()[i]));
         const Eigen::Vector2d reach(r, r);
         if (box.contains(x - reach) && box.contains(x + reach))
         {

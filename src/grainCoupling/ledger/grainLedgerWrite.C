@@ -5,67 +5,25 @@
 
 #include "grainLedger.H"
 
-#include "OSspecific.H"
-
-namespace
-{
-
-// Hours, minutes and seconds as a person reads them
-Foam::string duration(const double seconds)
-{
-    char text[64];
-    const long s = std::lround(seconds);
-    if (s >= 3600)
-    {
-        std::snprintf
-        (
-            text, sizeof(text), "%ld h %02ld min", s/3600, s%3600/60
-        );
-    }
-    else if (s >= 60)
-    {
-        std::snprintf(text, sizeof(text), "%ld min %02ld s", s/60, s%60);
-    }
-    else
-    {
-        std::snprintf(text, sizeof(text), "%.1f s", seconds);
-    }
-    return text;
-}
-
-}
-
+#include "contactReport.H"
 
 void Foam::grainLedger::print() const
 {
-    const nscd::StepReport& step = grains_.lastStep();
-    const Time& runTime = mesh_.time();
-
     Info<< nl
         << "Fluid     Courant number mean " << meanCourant_
         << " max " << maxCourant_
-        << ", mixture divergence " << divergence_ << nl
-        << "Contacts  " << label(step.active) << " active of "
-        << label(step.contacts) << " possible, " << label(step.subSteps)
-        << " sub-steps, " << label(step.sweeps) << " sweeps, residual "
-        << step.residual << " m/s" << (step.converged ? "" : " (sweep limit)")
-        << nl
-        << "          worst overlap " << step.worstOverlap << " m, mean "
-        << step.meanOverlap << " m, fastest grain " << step.maxVelocity
-        << " m/s" << nl
-        << "Volume    mapped to " << mappingError_ << " of a grain, overfull "
+        << ", mixture divergence " << divergence_ << nl;
+
+    contactReport::print(grains_.lastStep());
+
+    Info<< "Volume    mapped to " << mappingError_ << " of a grain, overfull "
         << exchange_.overfull() << " m^3, defect of the step "
         << volumeDefect_ << nl
         << "Momentum  given by the fluid " << exchange_.momentumGiven()
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
-    const scalar done = runTime.value() - startTime_;
-    const scalar toDo = runTime.endTime().value() - runTime.value();
-
-    Info<< "Elapsed   " << duration(elapsed()).c_str() << ", about "
-        << duration(elapsed()/max(done, VSMALL)*max(toDo, 0.0)).c_str()
-        << " to go" << endl;
+    progress_.print();
 }
 
 
@@ -78,24 +36,16 @@ void Foam::grainLedger::write()
 
     if (!file_)
     {
-        const Time& runTime = mesh_.time();
-        const fileName dir
+        file_ = progress_.newFile
         (
-            runTime.globalPath()/"postProcessing"/"ledger"
-           /Time::timeName(startTime_)
+            "ledger", "ledger.csv",
+            "time,grainVolume,mappedVolume,mappingError,overfull,"
+            "given_x,given_y,given_z,received_x,received_y,received_z,"
+            "momentumError,divergence,volumeDefect," CONTACT_COLUMNS
+            ",elapsedTime"
         );
-        mkDir(dir);
-        file_.reset(new OFstream(dir/"ledger.csv"));
-        file_().precision(12);
-        file_()
-            << "time,grainVolume,mappedVolume,mappingError,overfull,"
-            << "given_x,given_y,given_z,received_x,received_y,received_z,"
-            << "momentumError,divergence,volumeDefect,contacts,active,sweeps,"
-            << "residual,worstOverlap,meanOverlap,maxVelocity,contactTime,"
-            << "elapsedTime" << nl;
     }
 
-    const nscd::StepReport& step = grains_.lastStep();
     const vector& g = exchange_.momentumGiven();
     const vector& r = exchange_.momentumReceived();
     const char c = ',';
@@ -105,11 +55,7 @@ void Foam::grainLedger::write()
         << c << mappingError_ << c << exchange_.overfull()
         << c << g.x() << c << g.y() << c << g.z()
         << c << r.x() << c << r.y() << c << r.z()
-        << c << momentumError_ << c << divergence_ << c << volumeDefect_
-        << c << label(step.contacts) << c << label(step.active)
-        << c << label(step.sweeps) << c << step.residual
-        << c << step.worstOverlap << c << step.meanOverlap
-        << c << step.maxVelocity
-        << c << step.detectionTime + step.solutionTime
-        << c << elapsed() << endl;
+        << c << momentumError_ << c << divergence_ << c << volumeDefect_ << c;
+    contactReport::write(file_(), grains_.lastStep());
+    file_() << c << progress_.elapsed() << endl;
 }

@@ -90,8 +90,16 @@ void Foam::planarMesh::setBins()
 }
 
 
-Foam::label Foam::planarMesh::findCell(const point2& x) const
+Foam::label Foam::planarMesh::findCell
+(
+    const point2& x,
+    const label hint
+) const
 {
+    if (hint >= 0 && contains(polygon(hint), polygonSize(hint), x))
+    {
+        return hint;
+    }
     label found = -1;
     forCells
     (

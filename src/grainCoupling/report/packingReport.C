@@ -6,15 +6,15 @@
 #include "packingReport.H"
 
 #include "grainChecks.H"
-#include "mathematicalConstants.H"
 #include "volFields.H"
 
 #include <numeric>
 
+template<int D>
 void Foam::printPacking
 (
-    const grainProperties& properties,
-    const nscd::Grains<2>& grains
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains
 )
 {
     Info<< nl << "Number of grains        " << label(grains.size()) << nl;
@@ -28,52 +28,57 @@ void Foam::printPacking
     const scalar smallest = 2**range.first;
     const scalar largest = 2**range.second;
 
-    scalar area = 0;
-    Eigen::AlignedBox2d box;
+    const grainSpace<D>& space = properties.space();
+
+    scalar volume = 0;
+    Eigen::AlignedBox<double, D> box;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        const Eigen::Vector2d reach(r[i], r[i]);
-        area += constant::mathematical::pi*sqr(r[i]);
+        const nscd::Vector<D> reach(nscd::Vector<D>::Constant(r[i]));
+        volume += space.volume(r[i]);
         box.extend(grains.position[i] - reach);
         box.extend(grains.position[i] + reach);
     }
 
-    const planarMesh& plane = properties.plane();
-    const Pair<scalar> h(plane.cellSizeRange());
+    const Pair<scalar> h(space.cellSizeRange());
 
     Info<< "Diameter                smallest " << smallest << ", mean "
         << 2*std::accumulate(r.begin(), r.end(), 0.0)/r.size()
         << ", largest " << largest << " m" << nl
         << "Mass                    "
         << std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0)
-        << " kg in a mesh of depth " << plane.depth() << " m" << nl
-        << "Bounding box            " << plane.toSpace(box.min()) << ' '
-        << plane.toSpace(box.max()) << nl
-        << "Packing fraction        " << area/box.sizes().prod()
+        << " kg" << space.ofDepth().c_str() << nl
+        << "Bounding box            " << space.toSpace(box.min()) << ' '
+        << space.toSpace(box.max()) << nl
+        << "Packing fraction        "
+        << volume/(box.sizes().prod()*space.depth())
         << " of the bounding box, "
-        << area/gSum(plane.mesh().V().field())*plane.depth()
-        << " of the mesh" << nl
-        << "Seen by the fluid       " << properties.packingRatio()
-        << " of that" << nl
-        << "Cell size h             " << h.first() << " to " << h.second()
+        << volume/gSum(space.mesh().V().field()) << " of the mesh" << nl;
+    if (properties.dict().found("coupling"))
+    {
+        Info<< "Seen by the fluid       " << properties.packingRatio()
+            << " of that" << nl;
+    }
+    Info<< "Cell size h             " << h.first() << " to " << h.second()
         << " m, h/d from " << h.first()/largest << " to "
         << h.second()/smallest << endl;
 }
 
 
+template<int D>
 bool Foam::printFaults
 (
-    const grainProperties& properties,
-    const nscd::Grains<2>& grains
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains
 )
 {
-    const grainChecks checks(properties, grains);
+    const grainChecks<D> checks(properties, grains);
     const labelList outside(checks.outside());
     const auto overlaps(checks.overlaps(1e-9));
     const auto refused(checks.overlaps(properties.allowedOverlap()));
 
     scalar worst = 0;
-    for (const grainChecks::overlap& o : overlaps)
+    for (const auto& o : overlaps)
     {
         worst = max(worst, o.depth);
     }
@@ -82,7 +87,7 @@ bool Foam::printFaults
     if (outside.size())
     {
         Info<< ", the first at "
-            << properties.plane().positionInSpace(grains.position[outside[0]]);
+            << properties.space().positionInSpace(grains.position[outside[0]]);
     }
     Info<< nl << "Overlaps                " << label(overlaps.size())
         << ", worst " << worst << " m; above 'allowedOverlap' "
@@ -91,3 +96,21 @@ bool Foam::printFaults
 
     return outside.empty() && refused.empty();
 }
+
+
+template void Foam::printPacking
+(
+    const grainProperties<2>&, const nscd::Grains<2>&
+);
+template void Foam::printPacking
+(
+    const grainProperties<3>&, const nscd::Grains<3>&
+);
+template bool Foam::printFaults
+(
+    const grainProperties<2>&, const nscd::Grains<2>&
+);
+template bool Foam::printFaults
+(
+    const grainProperties<3>&, const nscd::Grains<3>&
+);

@@ -5,7 +5,7 @@
 
 #include "foamTest.H"
 
-#include "grainWalls.H"
+#include "wallPieces.H"
 
 #include <random>
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "grainWalls.H"
+#include "wallPieces.H"
 
 #include <algorithm>
 #include <map>
@@ -29,7 +29,7 @@ const Point& farEnd(const Segment& s, const Point& joint)
     return s.a == joint ? s.b : s.a;
 }
 
-// Two segments of one material, one the straight continuation of the other
+// Two segments of one material and body, one the straight continuation of the other
 bool isStraight(const Segment& s, const Segment& t, const Point& joint)
 {
     const Point u(joint - farEnd(s, joint));
@@ -39,6 +39,7 @@ bool isStraight(const Segment& s, const Segment& t, const Point& joint)
     // Vertices of a mesh are written with a finite number of digits
     return
         s.material == t.material
+     && s.body == t.body
      && u.dot(v) > 0
      && std::abs(cross) < 1e-9*u.norm()*v.norm();
 }
@@ -46,7 +47,7 @@ bool isStraight(const Segment& s, const Segment& t, const Point& joint)
 // The end of the straight line that begins with segment s at 'from'
 Point lineEnd
 (
-    const nscd::Walls<2>& segments,
+    const Foam::wallPieceList<2>& segments,
     const Joints& joints,
     std::size_t s,
     const Point& from,
@@ -75,7 +76,7 @@ Point lineEnd
 }
 
 
-nscd::Walls<2> Foam::mergedSegments(const nscd::Walls<2>& segments)
+nscd::Walls<2> Foam::mergedSegments(const wallPieceList<2>& segments)
 {
     nscd::Walls<2> sorted(segments);
     for (Segment& s : sorted)
@@ -110,7 +111,7 @@ nscd::Walls<2> Foam::mergedSegments(const nscd::Walls<2>& segments)
             const Segment& s = sorted[i];
             const Point forth = lineEnd(sorted, joints, i, s.a, used);
             const Point back = lineEnd(sorted, joints, i, s.b, used);
-            merged.push_back({back, forth, s.material});
+            merged.push_back({back, forth, s.material, s.body});
         }
     }
     return merged;

@@ -1,0 +1,92 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    dryGrainFoam
+
+Group
+    grpGrainSolvers
+
+Description
+    Dynamics of dry grains in contact: discs on a mesh that is one cell thick,
+    spheres on any other; non-smooth contact dynamics (doc/theory.md).  The
+    mesh has patches that can be walls, and tells where grains may be.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "sigFpe.H"
+
+#include "dictionaryInput.H"
+#include "dryLedger.H"
+#include "grainOutlets.H"
+#include "incompleteTimes.H"
+#include "timeControl.H"
+
+template<int D>
+void run(Time& runTime, const fvMesh& mesh, const vector& g)
+{
+    grainDynamics<D> grains(mesh, g);
+    grainOutlets<D> outlets(grains);
+    dryLedger<D> ledger(grains, outlets);
+
+    // What goes wrong is looked for and reported by name
+    const sigFpe::ignore ignoreFpe;
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.loop())
+    {
+        ledger.startStep();
+
+        grains.move(runTime.deltaTValue());
+        outlets.open(grains);
+
+        ledger.endStep();
+        grains.checkInside();
+
+        if (runTime.writeTime())
+        {
+            grains.beginWrite();
+            runTime.write();
+            grains.endWrite();
+        }
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Dynamics of dry grains in contact.");
+
+    #include "setRootCaseLists.H"
+
+    setAsideIncompleteTimes(args);
+
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    requireFixedTimeStep(runTime);
+
+    #include "readGravitationalAcceleration.H"
+    dictionaryInput::checkDimensions
+    (
+        static_cast<const uniformDimensionedVectorField&>(g),
+        g.dimensions(),
+        dimAcceleration
+    );
+
+    if (isPlanar(mesh))
+    {
+        run<2>(runTime, mesh, g.value());
+    }
+    else
+    {
+        run<3>(runTime, mesh, g.value());
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}

@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "readGeometry.H"
+
+#include "dictionaryInput.H"
+#include "OStringStream.H"
+
+template<int D>
+nscd::Box<D> Foam::readBox
+(
+    const dictionary& dict,
+    const grainSpace<D>& space
+)
+{
+    const string allowed
+    (
+        D == 2
+      ? "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
+      : "two corners of a box, as (0 0 0) (1 1 1)"
+    );
+    ITstream& is = dict.lookup("box");
+
+    // Two vectors of three numbers, with their brackets
+    if (is.size() != 10)
+    {
+        OStringStream value;
+        for (const token& t : static_cast<const tokenList&>(is))
+        {
+            value << t << ' ';
+        }
+        dictionaryInput::badValue(dict, "box", value.str(), allowed);
+    }
+    const point first(is), second(is);
+    const nscd::Vector<D> a(space.fromSpace(first));
+    const nscd::Vector<D> b(space.fromSpace(second));
+    const nscd::Box<D> result{a.cwiseMin(b), a.cwiseMax(b)};
+
+    if ((result.upper - result.lower).minCoeff() <= 0)
+    {
+        OStringStream value;
+        value << first << ' ' << second;
+        dictionaryInput::badValue(dict, "box", value.str(), allowed);
+    }
+    return result;
+}
+
+
+template<int D>
+nscd::Vector<D> Foam::readDirection
+(
+    const dictionary& dict,
+    const word& keyword,
+    const grainSpace<D>& space
+)
+{
+    const vector v(dict.get<vector>(keyword));
+    if (mag(v) < SMALL || !space.holds(v))
+    {
+        OStringStream value;
+        value << v;
+        dictionaryInput::badValue
+        (
+            dict, keyword, value.str(),
+            D == 2
+          ? "a vector in the plane of the mesh, not zero"
+          : "a vector that is not zero"
+        );
+    }
+    return space.fromSpace(v);
+}
+
+
+template<int D>
+Foam::Pair<nscd::Vector<D>> Foam::readPlane
+(
+    const dictionary& dict,
+    const grainSpace<D>& space
+)
+{
+    return
+    {
+        space.fromSpace(dict.get<point>("point")),
+        readDirection(dict, "normal", space).normalized()
+    };
+}
+
+
+template nscd::Box<2> Foam::readBox
+(
+    const dictionary&, const grainSpace<2>&
+);
+template nscd::Vector<2> Foam::readDirection
+(
+    const dictionary&, const word&, const grainSpace<2>&
+);
+template Foam::Pair<nscd::Vector<2>> Foam::readPlane
+(
+    const dictionary&, const grainSpace<2>&
+);
+
+template nscd::Box<3> Foam::readBox
+(
+    const dictionary&, const grainSpace<3>&
+);
+template nscd::Vector<3> Foam::readDirection
+(
+    const dictionary&, const word&, const grainSpace<3>&
+);
+template Foam::Pair<nscd::Vector<3>> Foam::readPlane
+(
+    const dictionary&, const grainSpace<3>&
+);

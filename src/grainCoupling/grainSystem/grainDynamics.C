@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainDynamics.H"
+
+#include "grainChecks.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+
+template<int D>
+Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
+:
+    grainView(mesh),
+    properties_(mesh, g)
+{
+    const bool restart = isFile(stateFile(), false);
+
+    try
+    {
+        dynamics_.reset
+        (
+            new nscd::ContactDynamics<D>
+            (
+                restart ? nscd::Grains<D>() : properties_.initialGrains(),
+                properties_.walls().walls(),
+                properties_.materials().contactTable(),
+                properties_.contact()
+            )
+        );
+        if (restart)
+        {
+            dynamics_->load(stateFile());
+            Info<< "Grains continue from " << stateFile() << endl;
+        }
+        else if (mesh.time().value() > 0)
+        {
+            WarningInFunction
+                << "There is no " << stateFile() << ": the initial grains of "
+                << properties_.dict().name() << " are put into the fields of"
+                << " time " << mesh.time().timeName() << endl;
+        }
+    }
+    catch (const std::exception& err)
+    {
+        FatalIOErrorInFunction(properties_.dict())
+            << "Keyword '" << (restart ? "startTime" : "initialGrains")
+            << "': " << err.what() << exit(FatalIOError);
+    }
+
+    const grainChecks<D> checks(properties_, grains());
+    checks.requireMasses();
+    checks.requireLaws();
+    if (!restart)
+    {
+        checks.requireInside();
+        checks.requireNoOverlap();
+    }
+    locate();
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::advance
+(
+    const vectorField& given,
+    const vectorField& givenTorque,
+    const scalar deltaT
+)
+{
+    nscd::Vectors<D> force(grains().size());
+    nscd::Spins<D> torque(grains().size(), nscd::Spin<D>::Zero());
+
+    for (label i = 0; i < size(); ++i)
+    {
+        const vector weight(grains().mass[i]*properties_.g());
+        force[i] = space().fromSpace(given.empty() ? weight : given[i] + weight);
+    }
+    forAll(givenTorque, i)
+    {
+        torque[i] = space().spinFromSpace(givenTorque[i]);
+    }
+
+    try
+    {
+        lastStep_ = dynamics_->step(force, torque, deltaT);
+    }
+    catch (const std::exception& err)
+    {
+        save(".failed");
+        FatalErrorInFunction
+            << "The contact solver stopped at time "
+            << mesh().time().timeName() << ": " << err.what()
+            << exit(FatalError);
+    }
+    locate();
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::locate()
+{
+    cell_.resize(size(), label(-1));
+    labelList found(size());
+    forAll(found, i)
+    {
+        cell_[i] = space().findCell
+        (
+            properties_.wrapped(grains().position[i]), cell_[i]
+        );
+        found[i] = cell_[i] >= 0;
+    }
+    Pstream::listCombineGather(found, maxEqOp<label>());
+    Pstream::listCombineScatter(found);
+
+    outside_.resize(size());
+    forAll(found, i)
+    {
+        outside_[i] = !found[i];
+    }
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
+{
+    dynamics_->remove(gone);
+
+    label kept = 0;
+    forAll(cell_, i)
+    {
+        if (!gone[i])
+        {
+            cell_[kept] = cell_[i];
+            if (fluidForce_.size())
+            {
+                fluidForce_[kept] = fluidForce_[i];
+            }
+            ++kept;
+        }
+    }
+    fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
+    locate();
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::checkInside() const
+{
+    const label i = outside_.find(true);
+    if (i >= 0)
+    {
+        save(".failed");
+        FatalErrorInFunction
+            << "Grain " << id(i) << " at " << centre(i) << " with velocity "
+            << velocity(i) << " has left the mesh at time "
+            << mesh().time().timeName() << nl
+            << "    there is a gap in the walls, or the time step is too large"
+            << " for the contact solver (worst overlap "
+            << lastStep_.worstOverlap << " m)" << exit(FatalError);
+    }
+}
+
+
+template class Foam::grainDynamics<2>;
+template class Foam::grainDynamics<3>;

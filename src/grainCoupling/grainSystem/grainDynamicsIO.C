@@ -1,0 +1,104 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainDynamics.H"
+
+#include "OSspecific.H"
+#include "Pstream.H"
+
+template<int D>
+Foam::fileName Foam::grainDynamics<D>::stateFile() const
+{
+    const Time& runTime = mesh().time();
+    return runTime.globalPath()/runTime.timeName()/"grains.h5";
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::save(const word& suffix) const
+{
+    const fileName file(stateFile());
+    if (Pstream::master())
+    {
+        mkDir(file.path());
+        rm(file);
+    }
+    try
+    {
+        dynamics_->save(file + suffix, mesh().time().value());
+    }
+    catch (const std::exception& err)
+    {
+        FatalErrorInFunction
+            << "The state of the grains could not be written: " << err.what()
+            << exit(FatalError);
+    }
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::beginWrite() const
+{
+    save(".incomplete");
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::endWrite() const
+{
+    writeCloud();
+
+    // All ranks have written their fields
+    label nReady = 1;
+    reduce(nReady, sumOp<label>());
+
+    if (Pstream::master())
+    {
+        mv(stateFile() + ".incomplete", stateFile());
+        purge();
+    }
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::purge() const
+{
+    const Time& runTime = mesh().time();
+    if
+    (
+        !Pstream::parRun()
+     || runTime.controlDict().getOrDefault<label>("purgeWrite", 0) <= 0
+    )
+    {
+        return;
+    }
+
+    // The fields of the ranks have been purged by Time, in their directories
+    const fileName casePath(runTime.globalPath());
+    for (const instant& time : Time::findTimes(casePath))
+    {
+        const fileName timeDir(casePath/time.name());
+        if
+        (
+            !isDir(runTime.path()/time.name())
+         && isFile(timeDir/"grains.h5", false)
+         && readDir(timeDir, fileName::FILE).size() == 1
+         && readDir(timeDir, fileName::DIRECTORY).empty()
+        )
+        {
+            rmDir(timeDir);
+        }
+    }
+}
+
+
+template Foam::fileName Foam::grainDynamics<2>::stateFile() const;
+template Foam::fileName Foam::grainDynamics<3>::stateFile() const;
+template void Foam::grainDynamics<2>::save(const Foam::word&) const;
+template void Foam::grainDynamics<3>::save(const Foam::word&) const;
+template void Foam::grainDynamics<2>::beginWrite() const;
+template void Foam::grainDynamics<3>::beginWrite() const;
+template void Foam::grainDynamics<2>::endWrite() const;
+template void Foam::grainDynamics<3>::endWrite() const;

@@ -1,0 +1,81 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainWalls.H"
+
+#include "dictionaryInput.H"
+#include "wallPieces.H"
+
+template<int D>
+Foam::grainWalls<D>::grainWalls
+(
+    const dictionary& dict,
+    const grainSpace<D>& space,
+    const grainMaterials& materials
+)
+{
+    wallPieceList<D> pieces;
+    nscd::Walls<D> planes;
+
+    for (const word& name : dict.toc())
+    {
+        const dictionary& wall = dictionaryInput::subDict(dict, name);
+        const word type(wall.get<word>("type"));
+        const int material = materials.index(wall, "material");
+
+        if (type == "plane")
+        {
+            dictionaryInput::checkKeywords
+            (
+                wall, {"type", "point", "normal", "material"}
+            );
+            auto plane = wallPieces::ofPlane(wall, space);
+            plane.material = material;
+            planes.push_back(plane);
+            continue;
+        }
+
+        wallPieceList<D> own;
+        if (type == "patches")
+        {
+            dictionaryInput::checkKeywords
+            (
+                wall, {"type", "patches", "material"}
+            );
+            own = wallPieces::ofPatches(wall, space);
+        }
+        else if (type == "surface")
+        {
+            dictionaryInput::checkKeywords(wall, {"type", "file", "material"});
+            own = wallPieces::ofSurface(wall, space);
+        }
+        else
+        {
+            dictionaryInput::badValue
+            (
+                wall, "type", type, "patches, surface, plane"
+            );
+        }
+        for (wallPiece<D>& piece : own)
+        {
+            piece.material = material;
+            pieces.push_back(piece);
+        }
+    }
+
+    if constexpr (D == 2)
+    {
+        walls_ = mergedSegments(pieces);
+    }
+    else
+    {
+        walls_ = mergedFaces(pieces);
+    }
+    walls_.insert(walls_.end(), planes.begin(), planes.end());
+}
+
+
+template class Foam::grainWalls<2>;
+template class Foam::grainWalls<3>;

@@ -1,0 +1,116 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallPieces.H"
+
+#include "dictionaryInput.H"
+#include "emptyPolyPatch.H"
+#include "OSspecific.H"
+#include "polyBoundaryMesh.H"
+#include "processorPolyPatch.H"
+#include "readGeometry.H"
+#include "Time.H"
+#include "wordRes.H"
+
+Foam::labelList Foam::wallPieces::selectedPatches
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const wordRes names(dict.get<wordRes>("patches"));
+
+    for (const wordRe& name : names)
+    {
+        if (findMatchingStrings(wordRes({name}), patches.names()).empty())
+        {
+            dictionaryInput::badValue
+            (
+                dict, "patches", name,
+                "patches of the mesh " + dictionaryInput::listed(patches.names())
+            );
+        }
+    }
+
+    // An expression can match what decomposePar adds
+    DynamicList<label> selected;
+    for (const label patchi : patches.patchSet(names).sortedToc())
+    {
+        if (!isA<processorPolyPatch>(patches[patchi]))
+        {
+            selected.append(patchi);
+        }
+    }
+
+    for (const label patchi : selected)
+    {
+        if (isA<emptyPolyPatch>(patches[patchi]))
+        {
+            dictionaryInput::badValue
+            (
+                dict, "patches", patches[patchi].name(),
+                "patches whose type is not 'empty'"
+            );
+        }
+    }
+    return labelList(std::move(selected));
+}
+
+
+Foam::fileName Foam::wallPieces::surfaceFile
+(
+    const dictionary& dict,
+    const Time& runTime
+)
+{
+    const fileName file
+    (
+        runTime.globalPath()/runTime.constant()/"triSurface"
+       /dict.get<fileName>("file")
+    );
+    if (!isFile(file))
+    {
+        dictionaryInput::badValue(dict, "file", file, "a file that exists");
+    }
+    return file;
+}
+
+
+nscd::Segment Foam::wallPieces::ofPlane
+(
+    const dictionary& dict,
+    const grainSpace<2>& space
+)
+{
+    const Pair<nscd::Vector<2>> plane(readPlane(dict, space));
+    const nscd::Vector<2>& p = plane.first();
+    const nscd::Vector<2>& n = plane.second();
+    const Eigen::AlignedBox2d domain(space.globalDomain());
+
+    // From the middle of the mesh on to both sides, wherever grains can be
+    const nscd::Vector<2> middle(domain.center());
+    const nscd::Vector<2> foot(middle - n.dot(middle - p)*n);
+    const nscd::Vector<2> along
+    (
+        2*(domain.diagonal().norm() + (middle - p).norm())
+       *nscd::Vector<2>(-n.y(), n.x())
+    );
+    nscd::Segment segment;
+    segment.a = foot - along;
+    segment.b = foot + along;
+    return segment;
+}
+
+
+nscd::Plane Foam::wallPieces::ofPlane
+(
+    const dictionary& dict,
+    const grainSpace<3>& space
+)
+{
+    const Pair<nscd::Vector<3>> plane(readPlane(dict, space));
+    return {plane.first(), plane.second()};
+}

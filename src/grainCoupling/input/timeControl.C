@@ -1,0 +1,30 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "timeControl.H"
+
+#include "dictionaryInput.H"
+#include "Time.H"
+
+void Foam::requireFixedTimeStep(const Time& runTime)
+{
+    if (runTime.deltaTValue() <= 0)
+    {
+        dictionaryInput::badValue
+        (
+            runTime.controlDict(), "deltaT", name(runTime.deltaTValue()),
+            "a value > 0"
+        );
+    }
+
+    if (runTime.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        dictionaryInput::badValue
+        (
+            runTime.controlDict(), "adjustTimeStep", "yes",
+            "no; the time step is fixed, checkGrains recommends one"
+        );
+    }
+}

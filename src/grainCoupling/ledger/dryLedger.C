@@ -1,0 +1,162 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dryLedger.H"
+
+#include "contactReport.H"
+
+template<int D>
+Foam::dryLedger<D>::dryLedger
+(
+    const grainDynamics<D>& grains,
+    const grainOutlets<D>& outlets
+)
+:
+    grains_(grains),
+    outlets_(outlets),
+    progress_(grains.mesh().time()),
+    impulse_(Zero),
+    momentumError_(0)
+{
+    measure();
+
+    Info<< "Grains: " << grains_.size() << ", mass " << mass_ << " kg"
+        << grains_.space().ofDepth().c_str() << endl;
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::measure()
+{
+    mass_ = 0;
+    kineticEnergy_ = 0;
+    potentialEnergy_ = 0;
+    momentum_ = Zero;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        const scalar m = grains_.grains().mass[i];
+        mass_ += m;
+        kineticEnergy_ +=
+            0.5*m*magSqr(grains_.velocity(i))
+          + 0.5*grains_.inertia(i)*magSqr(grains_.spin(i));
+        potentialEnergy_ -= m*(grains_.properties().g() & grains_.centre(i));
+        momentum_ += m*grains_.velocity(i);
+    }
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::startStep()
+{
+    Info<< nl << "Time = " << grains_.mesh().time().timeName() << nl << endl;
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::endStep()
+{
+    const scalar oldMass = mass_;
+    const vector oldMomentum(momentum_);
+    measure();
+
+    impulse_ = Zero;
+    for (const nscd::Vector<D>& impulse : grains_.dynamics().contactImpulse())
+    {
+        impulse_ += grains_.space().toSpace(impulse);
+    }
+
+    const vector weight
+    (
+        oldMass*grains_.mesh().time().deltaTValue()*grains_.properties().g()
+    );
+    momentumError_ =
+        mag
+        (
+            momentum_ + outlets_.momentum() - oldMomentum - weight - impulse_
+        )
+       /max(mag(oldMomentum) + mag(weight) + mag(impulse_), VSMALL);
+
+    checkEnergy();
+    print();
+    write();
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::print() const
+{
+    contactReport::print(grains_.lastStep());
+
+    Info<< "Grains    " << grains_.size() << ", removed "
+        << outlets_.number() << ", in all " << outlets_.totalNumber() << nl
+        << "Energy    kinetic " << kineticEnergy_ << " J, potential "
+        << potentialEnergy_ << " J, contacts gave "
+        << grains_.lastStep().contactWork << " J" << nl
+        << "Momentum  " << momentum_ << " N s, unaccounted for "
+        << momentumError_ << nl;
+
+    progress_.print();
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::write()
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    if (!file_)
+    {
+        file_ = progress_.newFile
+        (
+            "ledger", "ledger.csv",
+            "time,grains,removed,removedMass,kineticEnergy,potentialEnergy,"
+            "contactWork,momentum_x,momentum_y,momentum_z,impulse_x,impulse_y,"
+            "impulse_z,momentumError," CONTACT_COLUMNS ",elapsedTime"
+        );
+    }
+
+    const char c = ',';
+    file_()
+        << grains_.mesh().time().value() << c << grains_.size()
+        << c << outlets_.number() << c << outlets_.mass()
+        << c << kineticEnergy_ << c << potentialEnergy_
+        << c << grains_.lastStep().contactWork
+        << c << momentum_.x() << c << momentum_.y() << c << momentum_.z()
+        << c << impulse_.x() << c << impulse_.y() << c << impulse_.z()
+        << c << momentumError_ << c;
+    contactReport::write(file_(), grains_.lastStep());
+    file_() << c << progress_.elapsed() << endl;
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::checkEnergy() const
+{
+    // Round-off of the energies, and of a fall by a diameter
+    scalar scale = kineticEnergy_;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        scale +=
+            2*grains_.radius(i)*grains_.grains().mass[i]
+           *mag(grains_.properties().g());
+    }
+
+    const scalar work = grains_.lastStep().contactWork;
+    if (work > 1e-6*scale)
+    {
+        WarningInFunction
+            << "Contacts gave " << work << " J in this step, of a kinetic"
+            << " energy of " << kineticEnergy_ << " J: solve the contact"
+            << " problem better, with a larger 'maxSweeps' or a smaller"
+            << " 'deltaT'" << endl;
+    }
+}
+
+
+template class Foam::dryLedger<2>;
+template class Foam::dryLedger<3>;

@@ -1,0 +1,209 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""dryGrainFoam: motions known in closed form, books, restarts, ranks, outlets."""
+
+import numpy as np
+import pytest
+from dry_box import GRAINS, G, cubic, dry_box
+from grain_box import control, lattice, ledger, replace, tracks
+
+RADIUS = 0.005
+DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3])
+
+
+def down(dimension):
+    """Index of the vertical coordinate."""
+    return dimension - 1
+
+
+def pile(dimension, jitter=0.0):
+    """Grains that touch each other, the floor and the walls, or nearly."""
+    if dimension == 2:
+        centres = lattice(10, 6, 2 * RADIUS, (RADIUS, RADIUS))
+    else:
+        centres = cubic(10, 10, 3, 2 * RADIUS, (RADIUS, RADIUS, RADIUS))
+    noise = np.random.default_rng(1).uniform(-jitter, jitter, centres.shape)
+    return centres * (1 - 2 * jitter / 0.1) + jitter + noise
+
+
+@DIMENSIONS
+def test_free_fall(clone, dimension):
+    """x_n = x_0 + v_0 n dt - g dt^2 n (n + 1)/2 and the parabola's speed, spinning or not."""
+    start = np.full(dimension, 0.05)
+    velocity = np.full(dimension, 0.2)
+    case = dry_box(clone, [start], 0.002, [velocity], dimension)
+    case.run("dryGrainFoam")
+    n = np.arange(1, 51)
+    track = tracks(case)
+    axes = [1, 2] if dimension == 2 else [1, 2, 3]
+    y = down(dimension) + 2
+    across = [a for a in (2, 3, 4)[:dimension] if a != y]
+    assert len(axes) == dimension
+    for column in across:
+        np.testing.assert_allclose(track[:, column], 0.05 + 0.2e-3 * n, rtol=1e-12)
+    exact = 0.05 + 0.2e-3 * n - G * 1e-6 * n * (n + 1) / 2
+    np.testing.assert_allclose(track[:, y], exact, rtol=1e-12)
+    np.testing.assert_allclose(track[:, y + 3], 0.2 - G * 1e-3 * n, rtol=1e-12)
+
+    book = ledger(case)
+    mass = 2500 * (np.pi * 0.002**2 * 0.01 if dimension == 2 else 4 / 3 * np.pi * 0.002**3)
+    speed2 = (dimension - 1) * 0.2**2 + (0.2 - G * 1e-3 * n) ** 2
+    np.testing.assert_allclose(book["kineticEnergy"], 0.5 * mass * speed2, rtol=1e-10)
+    np.testing.assert_allclose(book["potentialEnergy"], mass * G * exact, rtol=1e-10)
+    assert (book["momentumError"] <= 1e-12).all()
+    assert (book["grains"] == 1).all()
+
+
+@DIMENSIONS
+def test_pile_stays_at_rest(clone, dimension):
+    start = pile(dimension)
+    case = dry_box(clone, start, RADIUS, dimension=dimension)
+    case.run("dryGrainFoam")
+    # Each of 50 steps of 1 ms may leave an error of the tolerance, 1e-7 m
+    grains = case.grains()
+    np.testing.assert_allclose(grains["position"], start, rtol=0, atol=50 * 1e-7)
+    assert np.abs(grains["velocity"]).max() <= 1e-7 / 1e-3
+    # The floor carries the weight, to the tolerance over g dt^2 = 9.8e-6 m
+    book = ledger(case)
+    weight = len(start) * grains["mass"][0] * G * 1e-3
+    vertical = book["impulse_y" if dimension == 2 else "impulse_z"]
+    np.testing.assert_allclose(vertical[5:], weight, rtol=1e-2)
+
+
+@DIMENSIONS
+def test_sphere_stops_on_the_floor_without_rebound(clone, dimension):
+    start = np.full(dimension, 0.05)
+    start[down(dimension)] = RADIUS + 1e-4
+    case = dry_box(clone, [start], RADIUS, dimension=dimension)
+    case.run("dryGrainFoam")
+    end = case.grains()["position"][0]
+    assert end[down(dimension)] == pytest.approx(RADIUS, abs=1e-7)
+    np.testing.assert_allclose(np.delete(end, down(dimension)), 0.05, atol=1e-12)
+
+
+@DIMENSIONS
+def test_restart_is_the_uninterrupted_run(clone, dimension):
+    start = pile(dimension, 2e-4) + np.eye(dimension)[down(dimension)] * 5e-3
+    radius = RADIUS - 5e-4
+    cases = [dry_box(clone, start, radius, dimension=dimension, name=name) for name in "ab"]
+    for case in cases:
+        control(case, endTime=0.06, writeInterval=30)
+    whole, parts = cases
+    whole.run("dryGrainFoam")
+    control(parts, endTime=0.03)
+    parts.run("dryGrainFoam")
+    control(parts, endTime=0.06)
+    parts.run("dryGrainFoam")
+    assert "Grains continue from" in parts.log
+    assert whole.logged("Contacts  ").max() >= 30
+    one, other = whole.grains("0.06"), parts.grains("0.06")
+    assert one.keys() == other.keys()
+    for name in one:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+
+
+@pytest.mark.parallel
+@pytest.mark.parametrize("ranks", [2, 4])
+@DIMENSIONS
+def test_ranks_agree(clone, dimension, ranks):
+    start = pile(dimension, 2e-4) + np.eye(dimension)[down(dimension)] * 5e-3
+    radius = RADIUS - 5e-4
+    one, many = (dry_box(clone, start, radius, dimension=dimension, name=n) for n in "ab")
+    for case in (one, many):
+        control(case, endTime=0.05, writeInterval=25)
+    one.run("dryGrainFoam")
+    replace(many, "system/decomposeParDict", "numberOfSubdomains 2", f"numberOfSubdomains {ranks}")
+    replace(many, "system/decomposeParDict", "(2 1 1)", f"(2 {ranks // 2} 1)")
+    many.run("decomposePar")
+    many.parallel("dryGrainFoam", ranks)
+    assert ledger(one)["active"].max() > 50
+    # Without a fluid nothing depends on the decomposition: the same, bit for bit
+    for name in ("position", "velocity", "spin", "id"):
+        np.testing.assert_array_equal(one.grains("0.05")[name], many.grains("0.05")[name])
+
+
+@DIMENSIONS
+def test_written_cloud_is_read_by_foamToVTK(clone, dimension):
+    case = dry_box(clone, pile(dimension), RADIUS, dimension=dimension)
+    control(case, endTime=0.002, writeInterval=2)
+    case.run("dryGrainFoam")
+    case.run("foamToVTK -latestTime")
+    (file,) = (case.path / "VTK").rglob("lagrangian/**/*.vtp")
+    assert f"NumberOfPoints='{len(pile(dimension))}'".encode() in file.read_bytes()
+
+
+OUTLETS = {
+    "patches": "type patches; patches (bottom);",
+    "beyond": "type beyond; point (0 0 0); normal (0 -1 0);",
+    "box": "type box; box (0 -0.01 0) (0.1 0 0.01);",
+}
+
+
+@pytest.mark.parametrize("kind", OUTLETS)
+def test_block_that_falls_out_is_counted(clone, kind):
+    """Rows of ten grains leave as their centres pass the bottom: when, follows from the fall."""
+    rows, dt = 4, 1e-3
+    start = lattice(10, rows, 0.01, (0.005, 0.0105)) * np.array([1, 1])
+    case = dry_box(clone, start, 0.004, dimension=2)
+    replace(case, GRAINS, "(left right bottom top)", "(left right top)")
+    text = (case.path / GRAINS).read_text()
+    (case.path / GRAINS).write_text(f"{text}\noutlets\n{{\n    floor {{ {OUTLETS[kind]} }}\n}}\n")
+    control(case, endTime=0.12, writeInterval=60)
+    case.run("dryGrainFoam")
+
+    table = case.table("postProcessing/discharge/0/discharge.dat")
+    n = np.arange(1, 121)
+    fall = G * dt**2 * n * (n + 1) / 2
+    expected = sum(10 * np.diff(fall > 0.0105 + 0.01 * row, prepend=False) for row in range(rows))
+    np.testing.assert_array_equal(table["removed"], expected)
+    assert table["total"][-1] == 10 * rows
+    mass = 2500 * np.pi * 0.004**2 * 0.01
+    np.testing.assert_allclose(table["massFlowRate"], expected * mass / dt, rtol=1e-10)
+    np.testing.assert_allclose(table["totalMass"], mass * np.cumsum(expected), rtol=1e-10)
+
+    book = ledger(case)
+    np.testing.assert_array_equal(book["grains"], 10 * rows - np.cumsum(expected))
+    assert (book["momentumError"] <= 1e-10).all()
+    assert len(case.grains("0.12")["id"]) == 0
+    assert len(case.grains("0.06")["id"]) == 10 * rows - expected[:60].sum()
+
+
+def test_restart_after_grains_have_left(clone):
+    start = lattice(10, 4, 0.01, (0.005, 0.0105))
+    cases = [dry_box(clone, start, 0.004, dimension=2, name=name) for name in "ab"]
+    for case in cases:
+        replace(case, GRAINS, "(left right bottom top)", "(left right top)")
+        text = (case.path / GRAINS).read_text()
+        outlet = f"{text}\noutlets\n{{\n    floor {{ {OUTLETS['patches']} }}\n}}\n"
+        (case.path / GRAINS).write_text(outlet)
+        control(case, endTime=0.08, writeInterval=60)
+    whole, parts = cases
+    control(whole, writeInterval=20)
+    whole.run("dryGrainFoam")
+    control(parts, endTime=0.06)
+    parts.run("dryGrainFoam")
+    control(parts, endTime=0.08, writeInterval=20)
+    parts.run("dryGrainFoam")
+    one, other = whole.grains("0.08"), parts.grains("0.08")
+    assert 0 < len(one["id"]) < 40
+    for name in one:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+
+
+@DIMENSIONS
+def test_lost_grain_stops_the_run(clone, dimension):
+    start = np.full(dimension, 0.05)
+    start[down(dimension)] = 0.006
+    case = dry_box(clone, [start], 0.004, dimension=dimension)
+    open_side = "bottom" if dimension == 2 else "frontAndBack"
+    names = " ".join(n for n in ("left", "right", "bottom", "top") if n != open_side)
+    old = "(left right bottom top)" if dimension == 2 else '(".*")'
+    replace(case, GRAINS, old, f"({names})")
+    control(case, endTime=0.2, writeInterval=10)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    assert "Grain 0" in case.log
+    assert "has left the mesh" in case.log
+    assert "printStack" not in case.log
+    # It falls 6 mm in 35 ms: complete states are there until then, and one for a look
+    assert case.times[-2:] == ["0.03", "0.035"]
+    assert (case.path / "0.035/grains.h5.failed").exists()

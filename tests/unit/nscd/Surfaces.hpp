@@ -123,6 +123,42 @@ inline Surface sphereSurface(double radius, int cuts)
     return surface;
 }
 
+/// A closed surface around the origin, of sphereSurface's triangles, with hills, hollows and saddles.
+inline Surface bumpySurface(double radius, int cuts)
+{
+    Surface surface = sphereSurface(1, cuts);
+    const auto displaced = [radius](const Point& x) -> Point
+    { return radius * x * (1 + 0.25 * std::sin(6 * x.x()) * std::cos(8 * x.y() + 2 * x.z())); };
+    for (auto& wall : surface)
+    {
+        auto& triangle = std::get<nscd::Triangle>(wall);
+        triangle.a = displaced(triangle.a);
+        triangle.b = displaced(triangle.b);
+        triangle.c = displaced(triangle.c);
+    }
+    return surface;
+}
+
+/// Does a point lie inside a closed surface around the origin?  By the solid angle that the surface covers: 4 pi or 0
+/// (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 125, 1983, doi:10.1109/TBME.1983.325207).
+inline bool isInside(const Surface& surface, const Point& x)
+{
+    double angle = 0;
+    for (const auto& wall : surface)
+    {
+        const auto& triangle = std::get<nscd::Triangle>(wall);
+        const Point a = triangle.a - x;
+        const Point b = triangle.b - x;
+        const Point c = triangle.c - x;
+        const double volume = a.dot(b.cross(c));
+        const double part = 2 * std::atan2(volume, a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                       b.dot(c) * a.norm() + c.dot(a) * b.norm());
+        const bool outward = (triangle.b - triangle.a).cross(triangle.c - triangle.a).dot(triangle.a) > 0;
+        angle += outward ? part : -part;
+    }
+    return angle > 2 * M_PI;
+}
+
 /// Least value of a convex function between two arguments.
 template <class F>
 double leastValue(double lower, double upper, F&& f)

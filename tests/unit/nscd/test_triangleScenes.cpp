@@ -59,7 +59,7 @@ double wallPenetration(const nscd::ContactDynamics<3>& dynamics, const nscd::Wal
 
 /// Spheres inside a surface around the origin, driven by forces of up to 'strength' times their weight at random.
 /// Returns the deepest penetration of a wall in any step, in fractions of the radius.
-double agitate(const Surface& surface, double reach, double strength)
+double agitate(const Surface& surface, double strength)
 {
     Scene<3> scene(0.3);
     scene.walls = surface;
@@ -84,10 +84,10 @@ double agitate(const Surface& surface, double reach, double strength)
         }
         dynamics.step(force, nscd::Spins<3>(27, nscd::Spin<3>::Zero()), dt);
         deepest = std::max(deepest, wallPenetration(dynamics, walls));
-        for (const Point& x : dynamics.grains().position)
-        {
-            EXPECT_LE(x.cwiseAbs().maxCoeff(), reach);
-        }
+    }
+    for (const Point& x : dynamics.grains().position)
+    {
+        EXPECT_TRUE(isInside(surface, x));   // as no wall lets a grain back in, it has never been outside
     }
     return deepest;
 }
@@ -214,7 +214,7 @@ TEST(BoxOfTriangles, StopsASphereThatHitsItsCornerOrEdgeFromOutside)
 
 TEST(BoxOfTriangles, KeepsAgitatedSpheresInside)
 {
-    EXPECT_LE(agitate(centredBox(2), 1, 10), 0.05);   // planes in place of the triangles: 0.011, from 60 sweeps
+    EXPECT_LE(agitate(centredBox(2), 10), 0.05);   // planes in place of the triangles: 0.011, from 60 sweeps
 }
 
 TEST(BoxOfTriangles, KeepsSpheresInsideWhileItTumbles)
@@ -245,7 +245,14 @@ TEST(BoxOfTriangles, KeepsSpheresInsideWhileItTumbles)
 
 TEST(SphereOfTriangles, KeepsAgitatedSpheresInside)
 {
-    EXPECT_LE(agitate(sphereSurface(1.2, 2), 1.2, 10), 0.05);
+    EXPECT_LE(agitate(sphereSurface(1.2, 2), 10), 0.05);
+}
+
+TEST(SurfaceOfHillsAndHollows, KeepsAgitatedSpheresInside)
+{
+    // A contact's normal holds for a step in which spheres go up to a radius, past edges as near as that: an error of
+    // the second order in the step
+    EXPECT_LE(agitate(bumpySurface(1.6, 2), 10), 0.15);
 }
 
 TEST(SphereOfTriangles, ShedsSpheresThatFallOnIt)

@@ -33,22 +33,6 @@ Point randomPoint(nscd::Random& random, double size)
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-/// A closed surface with hills, hollows and saddles.
-Surface bumpySurface()
-{
-    Surface surface = sphereSurface(2, 2);
-    const auto displaced = [](const Point& x) -> Point
-    { return x * (1 + 0.25 * std::sin(3 * x.x()) * std::cos(4 * x.y() + x.z())); };
-    for (auto& wall : surface)
-    {
-        auto& triangle = std::get<nscd::Triangle>(wall);
-        triangle.a = displaced(triangle.a);
-        triangle.b = displaced(triangle.b);
-        triangle.c = displaced(triangle.c);
-    }
-    return surface;
-}
-
 }  // namespace
 
 TEST(Triangle, IsAsFarAwayAsASearchFinds)
@@ -95,7 +79,7 @@ TEST(Triangle, IsMetFromBothSides)
 
 TEST(Surface, IsMetAtItsNearestPointByOneTriangleOnly)
 {
-    const Surface surface = bumpySurface();
+    const Surface surface = bumpySurface(2, 2);
     const nscd::WallContact<3> walls(surface);
     nscd::Random random(2);
     for (int i = 0; i < 500; ++i)
@@ -119,7 +103,7 @@ TEST(Surface, IsMetAtItsNearestPointByOneTriangleOnly)
 
 TEST(Surface, IsMetAtMinimaOfTheDistanceOrContinuedInAHollow)
 {
-    const Surface surface = bumpySurface();
+    const Surface surface = bumpySurface(2, 2);
     const nscd::WallContact<3> walls(surface);
     const auto distance = [&](const Point& p)
     {

@@ -21,9 +21,28 @@ hid_t nativeType<double>()
 }
 
 template <>
+hid_t nativeType<std::int32_t>()
+{
+    return H5T_NATIVE_INT32;
+}
+
+template <>
 hid_t nativeType<std::int64_t>()
 {
     return H5T_NATIVE_INT64;
+}
+
+hid_t openFile(const std::string& name, Hdf5File::Mode mode)
+{
+    switch (mode)
+    {
+    case Hdf5File::Mode::read:
+        return H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    case Hdf5File::Mode::modify:
+        return H5Fopen(name.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    default:
+        return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    }
 }
 
 /// What HDF5 says about the last failure, innermost first.
@@ -71,11 +90,9 @@ Hdf5File::Quiet::~Quiet()
 }
 
 Hdf5File::Hdf5File(const std::string& name, Mode mode)
-    : name_(name), file_(mode == Mode::read ? H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)
-                                            : H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Fclose)
+    : name_(name), file_(openFile(name, mode), H5Fclose)
 {
-    check(file_, mode == Mode::read ? "cannot be opened" : "cannot be created");
+    check(file_, mode == Mode::create ? "cannot be created" : "cannot be opened");
 }
 
 hid_t Hdf5File::check(hid_t result, const std::string& action) const
@@ -122,11 +139,11 @@ Table<T> Hdf5File::read(const std::string& name) const
     const Hdf5Handle set(check(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), action), H5Dclose);
     const Hdf5Handle space(check(H5Dget_space(set), action), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space);
-    if (rank != 1 && rank != 2)
+    if (rank < 0 || rank > 2)
     {
         throw std::runtime_error(name_ + ": " + action + ": it has " + std::to_string(rank) + " dimensions");
     }
-    hsize_t extent[2] = {0, 1};
+    hsize_t extent[2] = {1, 1};
     check(H5Sget_simple_extent_dims(space, extent, nullptr), action);
     Table<T> table{extent[0], extent[1], std::vector<T>(extent[0] * extent[1])};
     if (!table.values.empty())
@@ -134,6 +151,23 @@ Table<T> Hdf5File::read(const std::string& name) const
         check(H5Dread(set, nativeType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()), action);
     }
     return table;
+}
+
+bool Hdf5File::contains(const std::string& name) const
+{
+    for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
+    {
+        if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+        {
+            return false;
+        }
+    }
+    return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5File::remove(const std::string& name)
+{
+    check(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "cannot remove " + name);
 }
 
 void Hdf5File::writeAttribute(const std::string& name, double value)
@@ -180,8 +214,10 @@ std::string Hdf5File::readText(const std::string& name) const
 }
 
 template void Hdf5File::write(const std::string&, const Table<double>&, const std::string&);
+template void Hdf5File::write(const std::string&, const Table<std::int32_t>&, const std::string&);
 template void Hdf5File::write(const std::string&, const Table<std::int64_t>&, const std::string&);
 template Table<double> Hdf5File::read(const std::string&) const;
+template Table<std::int32_t> Hdf5File::read(const std::string&) const;
 template Table<std::int64_t> Hdf5File::read(const std::string&) const;
 
 }  // namespace nscd

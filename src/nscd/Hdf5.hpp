@@ -43,7 +43,7 @@ private:
     herr_t (*close_)(hid_t);
 };
 
-/// An HDF5 file opened by one process.  Tables of double and std::int64_t; attributes of the root group.
+/// An HDF5 file opened by one process.  Tables of double, std::int32_t and std::int64_t; attributes of the root group.
 /// Every function throws std::runtime_error with the file's name and HDF5's own reason; HDF5 itself prints nothing.
 class Hdf5File
 {
@@ -51,20 +51,28 @@ public:
     enum class Mode
     {
         read,
+        modify,
         create
     };
 
     Hdf5File(const std::string& name, Mode mode);
 
-    /// Finish a created file; must be called for it to be complete.
+    /// Finish a created or modified file; must be called for it to be complete.
     void close();
 
     /// A '/' in the name makes a group; 'units' becomes an attribute of the data set, e.g. "m/s".
     template <class T>
     void write(const std::string& name, const Table<T>& table, const std::string& units);
 
+    /// A single number is a table of one row and column, as is a list of one.
     template <class T>
     Table<T> read(const std::string& name) const;
+
+    /// Is there a data set or group of this name?
+    bool contains(const std::string& name) const;
+
+    /// Take away a data set or a group with all it contains.
+    void remove(const std::string& name);
 
     void writeAttribute(const std::string& name, double value);
     void writeAttribute(const std::string& name, const std::string& text);

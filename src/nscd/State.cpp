@@ -5,12 +5,9 @@
 
 #include "nscd/Hdf5.hpp"
 #include "nscd/Members.hpp"
+#include "nscd/ReplaceFile.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace nscd
 {
@@ -291,27 +288,6 @@ std::vector<WallBody<D>> readWallBodies(const Hdf5File& in, const std::string& f
     return bodies;
 }
 
-[[noreturn]] void throwSystemError(const std::string& file, const std::string& action)
-{
-    throw std::runtime_error(file + ": " + action + ": " + std::strerror(errno));
-}
-
-/// Wait until the contents of a file, or the entries of a directory, are on disc.
-void synchronise(const std::string& name, int flags)
-{
-    const int descriptor = ::open(name.c_str(), flags);
-    if (descriptor < 0)
-    {
-        throwSystemError(name, "cannot be opened");
-    }
-    const bool failed = ::fsync(descriptor) != 0 && errno != EINVAL;
-    ::close(descriptor);
-    if (failed)
-    {
-        throwSystemError(name, "cannot be brought to disc");
-    }
-}
-
 }  // namespace
 
 template <int D>
@@ -345,14 +321,7 @@ void writeState(const std::string& file, const State<D>& s)
     writeWallBodies<D>(out, "candidateWalls", s.candidateWalls);
     writeContacts<D>(out, s.impulses);
     out.close();
-
-    synchronise(temporary, O_RDONLY);
-    if (std::rename(temporary.c_str(), file.c_str()) != 0)
-    {
-        throwSystemError(file, "cannot be replaced");
-    }
-    const std::size_t slash = file.rfind('/');
-    synchronise(slash == std::string::npos ? "." : file.substr(0, slash + 1), O_RDONLY | O_DIRECTORY);
+    replaceFile(temporary, file);
 }
 
 template <int D>

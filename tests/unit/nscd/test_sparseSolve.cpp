@@ -250,7 +250,7 @@ TEST(SparseSolvers, AgreeOnAPile)
     }
     for (int c = 0; c < problem.contacts(); ++c)
     {
-        // Impulses of a pile are not unique, velocities are; errors add up along chains of a dozen grains
+        // Impulses of a pile are not unique, its velocities are here; errors add up along chains of a dozen grains
         EXPECT_LE((u[0][c] - u[1][c]).norm(), 100 * limits.tolerance);
         EXPECT_LE((u[0][c] - u[2][c]).norm(), 100 * limits.tolerance);
     }

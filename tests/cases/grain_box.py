@@ -43,6 +43,25 @@ def mesh_triangles(case):
         case.dict_set("constant/polyMesh/boundary", f"entry0/{patch}/type", kind)
 
 
+def cyclic_box(clone, centres, radius):
+    """No walls: what leaves on one side comes in on the other."""
+    case = grain_box(clone, centres, radius)
+    for one, other in (("left", "right"), ("bottom", "top")):
+        for name, partner in ((one, other), (other, one)):
+            wall = f"{name}\n    {{\n        type    wall;"
+            cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
+            replace(case, "system/blockMeshDict", wall, cyclic)
+    replace(case, "0/U", "noSlip", "cyclic")
+    replace(case, "0/p_rgh", "zeroGradient", "cyclic")
+    text = (case.path / "constant/grainProperties").read_text()
+    before, after = text.split("walls\n{")
+    after = after[after.index("initialGrains") :]
+    (case.path / "constant/grainProperties").write_text(f"{before}walls\n{{}}\n\n{after}")
+    replace(case, "constant/g", "(0 -9.81 0)", "(0 0 0)")
+    case.run("blockMesh")
+    return case
+
+
 def replace(case, file, old, new):
     """Replace a text that stands once in a file of the case."""
     path = case.path / file

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, ledger, replace, tracks
+from grain_box import control, cyclic_box, grain_box, lattice, ledger, replace, tracks
 
 G = 9.81
 RHO, RHO_GRAIN = 1000.0, 2500.0
@@ -82,25 +82,6 @@ def test_heavy_grains_fall_freely_in_next_to_nothing(clone):
     fall = G * 1e-3**2 * steps * (steps + 1) / 2
     start = np.tile([0.072, 0.083], 20)
     np.testing.assert_allclose(start - track[:, 3], fall, rtol=1e-8)
-
-
-def cyclic_box(clone, centres, radius):
-    """No walls: what leaves on one side comes in on the other."""
-    case = grain_box(clone, centres, radius)
-    for one, other in (("left", "right"), ("bottom", "top")):
-        for name, partner in ((one, other), (other, one)):
-            wall = f"{name}\n    {{\n        type    wall;"
-            cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
-            replace(case, "system/blockMeshDict", wall, cyclic)
-    replace(case, "0/U", "noSlip", "cyclic")
-    replace(case, "0/p_rgh", "zeroGradient", "cyclic")
-    text = (case.path / "constant/grainProperties").read_text()
-    before, after = text.split("walls\n{")
-    after = after[after.index("initialGrains") :]
-    (case.path / "constant/grainProperties").write_text(f"{before}walls\n{{}}\n\n{after}")
-    replace(case, "constant/g", "(0 -9.81 0)", "(0 0 0)")
-    case.run("blockMesh")
-    return case
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.0007], ids=["centred", "offCentre"])

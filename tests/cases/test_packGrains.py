@@ -2,33 +2,48 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """packGrains makes the packing that was asked for, checkGrains says what is wrong with one."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
-from grain_box import grain_box, replace
+from dry_box import dry_box
+from grain_box import cyclic_box, grain_box, replace
 
 BOX = "box (0 0 0) (0.1 0.1 0);"
 HEADER = "FoamFile { version 2.0; format ascii; class dictionary; object packGrainsDict; }\n"
 FILL = f"type randomFill; {BOX} number 150; minRadius 1.6e-3; maxRadius 2.4e-3; material glass;"
+UNIFORM = "distribution { type uniform; minRadius 1.6e-3; maxRadius 2.4e-3; }"
+DENSE = f"type dense; {BOX} solidFraction 0.82; {UNIFORM} material glass;"
+DICT = Path(__file__).parents[2] / "etc/caseDicts/packGrainsDict"
+EXAMPLES = dict(re.findall(r"(?ms)^(\w+)\n\{\n(.*?)^\}", DICT.read_text()))
 
 
 def pack(clone, entries, name=None):
     """Centres and radii that packGrains writes."""
     case = grain_box(clone, name=name)
+    return case, *pack_case(case, entries)
+
+
+def pack_case(case, entries, dimension=2):
     (case.path / "system/packGrainsDict").write_text(HEADER + entries)
     case.run("packGrains")
     table = np.loadtxt(
-        case.path / "constant/grains.csv", delimiter=",", skiprows=1, usecols=(0, 1, 3), ndmin=2
+        case.path / "constant/grains.csv", delimiter=",", skiprows=1, usecols=(0, 1, 2, 3), ndmin=2
     )
     assert f"Number of grains        {len(table)}\n" in case.log
-    return case, table[:, :2], table[:, 2]
+    return table[:, :dimension], table[:, 3]
 
 
-def worst_overlap(centres, radii):
-    """Of each other and of the walls [m]."""
+def worst_overlap(centres, radii, period=None):
+    """Of each other and, unless the box is periodic, of the walls [m]."""
     i, j = np.triu_indices(len(radii), 1)
-    gaps = np.linalg.norm(centres[i] - centres[j], axis=1) - radii[i] - radii[j]
+    apart = centres[i] - centres[j]
+    if period:
+        apart -= period * np.round(apart / period)
+    gaps = np.linalg.norm(apart, axis=1) - radii[i] - radii[j]
     walls = np.minimum(centres, 0.1 - centres).min(axis=1) - radii
-    return -min(gaps.min(), walls.min())
+    return -gaps.min() if period else -min(gaps.min(), walls.min())
 
 
 def fraction(radii):
@@ -72,6 +87,52 @@ def test_the_same_seed_gives_the_same_grains(clone):
     assert files[0] != files[2]
 
 
+def test_dense(clone):
+    case, centres, radii = pack(clone, DENSE)
+    assert worst_overlap(centres, radii) <= 0
+    assert radii.min() >= 1.6e-3
+    assert radii.max() <= 2.4e-3
+    assert fraction(radii) == pytest.approx(0.82, abs=fraction(radii.max()))
+    case.run("checkGrains")
+    assert "Grains OK." in case.log
+    _, again, _ = pack(clone, DENSE + " seed 1;", "again")
+    assert np.array_equal(again, centres)
+
+
+def test_dense_follows_a_sieve_curve(clone):
+    curve = "distribution { type sieve; by mass; passing ((1e-3 0) (2e-3 0.3) (3e-3 1)); }"
+    _, centres, radii = pack(clone, DENSE.replace(UNIFORM, curve).replace("0.82", "0.8"))
+    assert worst_overlap(centres, radii) <= 0
+    # To within a grain of the largest size
+    assert fraction(radii[radii < 2e-3]) == pytest.approx(0.3 * 0.8, abs=fraction(np.array(3e-3)))
+
+
+def test_dense_spheres(clone):
+    case = dry_box(clone)
+    entries = DENSE.replace("0.1 0)", "0.1 0.1)").replace("0.82", "0.57")
+    centres, radii = pack_case(case, entries.replace("1.6e-3", "4e-3").replace("2.4e-3", "6e-3"), 3)
+    assert worst_overlap(centres, radii) <= 0
+    volume = 4 / 3 * np.pi * radii**3
+    assert np.sum(volume) / 0.1**3 == pytest.approx(0.57, abs=volume.max() / 0.1**3)
+
+
+def test_dense_fills_across_cyclic_patches(clone):
+    case = cyclic_box(clone, [(0.05, 0.05)], 0.004)
+    centres, radii = pack_case(case, DENSE.replace("0.82", "0.84"))
+    assert worst_overlap(centres, radii, period=0.1) <= 0
+    assert worst_overlap(centres, radii) > 1e-3
+    assert fraction(radii) == pytest.approx(0.84, abs=fraction(radii.max()))
+
+
+@pytest.mark.parametrize("name", [name for name in EXAMPLES if name != "FoamFile"])
+def test_examples_are_packed(clone, name):
+    case = grain_box(clone, [(0.05, 0.05)])
+    (case.path / "grains.csv").write_bytes((case.path / "constant/grains.csv").read_bytes())
+    (case.path / "system/packGrainsDict").write_text(HEADER + EXAMPLES[name])
+    case.run("packGrains")
+    assert case.logged("Number of grains        ") > 0
+
+
 def test_settled_grains_rest_on_the_floor_and_run(clone):
     entries = f"type settled; from {{ {FILL} }} deltaT 1e-3;"
     case, centres, radii = pack(clone, entries)
@@ -94,6 +155,38 @@ def test_settled_grains_rest_on_the_floor_and_run(clone):
 
 
 BAD = [
+    (
+        "tooDense",
+        DENSE.replace("0.82", "0.95"),
+        ["'solidFraction'", "reach in the box; no packing of"],
+    ),
+    ("noDistribution", DENSE.replace(UNIFORM, ""), ["packGrainsDict", "distribution"]),
+    (
+        "distribution",
+        DENSE.replace("uniform", "bell"),
+        ["'type'", "bell", "(constant lognormal normal sieve uniform)"],
+    ),
+    ("order", DENSE.replace("2.4e-3", "1.4e-3"), ["'maxRadius'", "0.0014"]),
+    (
+        "cut",
+        DENSE.replace("uniform;", "normal; mean 5e-3; standardDeviation 0.1e-3;"),
+        ["'maxRadius'", "hold part of the distribution"],
+    ),
+    (
+        "logCut",
+        DENSE.replace("uniform;", "lognormal; median 5e-3; logDeviation 0.01;"),
+        ["'maxRadius'", "hold part of the distribution"],
+    ),
+    (
+        "falling",
+        DENSE.replace(UNIFORM, "distribution { type sieve; by mass; passing ((1 1) (2 0)); }"),
+        ["'passing'", "rise from 0 to 1"],
+    ),
+    (
+        "by",
+        DENSE.replace(UNIFORM, "distribution { type sieve; by size; passing ((1 0) (2 1)); }"),
+        ["'by'", "size", "number or mass"],
+    ),
     ("tooFull", FILL.replace("150", "1500"), ["packGrainsDict", "number"]),
     ("radius", f"type lattice; {BOX} radius 0; material glass;", ["'radius'", "> 0"]),
     ("box", "type lattice; radius 1e-3; material glass;", ["packGrainsDict", "box"]),

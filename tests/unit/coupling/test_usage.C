@@ -8,6 +8,7 @@
 #include "dragLaw.H"
 #include "grainMaterials.H"
 #include "planarMesh.H"
+#include "sizeDistribution.H"
 #include "voidFractionMethod.H"
 
 #include <filesystem>
@@ -111,6 +112,18 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     for (const char* name : {"centroid", "exactOverlap"})
     {
         EXPECT_NO_THROW(voidFractionMethod::New(example(name).subDict("voidFraction"), plane));
+    }
+
+    for (const char* name :
+        {"constantSize", "lognormalSize", "normalSize", "sieveSize", "uniformSize"})
+    {
+        const autoPtr<sizeDistribution> sizes =
+            sizeDistribution::New(example(name).subDict("distribution"));
+        for (const label dimensions : {2, 3})
+        {
+            EXPECT_GT(sizes->sizes(dimensions)(0.5), 0.5e-3) << name;
+            EXPECT_LT(sizes->sizes(dimensions)(0.5), 1.5e-3) << name;
+        }
     }
 
     const dictionary dict(example("grainMaterials"));

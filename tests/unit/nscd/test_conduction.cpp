@@ -4,9 +4,9 @@
 // Conduction through a network of contacts.
 
 #include "Messages.hpp"
+#include "Scene.hpp"
 
 #include "nscd/Conduction.hpp"
-#include "nscd/Random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -259,6 +259,32 @@ TEST(Conduction, TakesTheNormalPartOfTheForceAndTheMaterialsOfBothBodies)
     const ContactForce<3> wall{1, ~1, {0, 0, 0}, {0, 0, -1}, {5e-4, 2e-4, -1e-3}, 0};
     EXPECT_DOUBLE_EQ(conduction.conductance(wall, grains, {{0, {}}, {1, 300.0}}),
                      nscd::conductance::spheres({glass, steel, 2e-3, HUGE_VAL, 1e-3, 1}));
+}
+
+TEST(Conduction, OfAGrainAtRestFollowsFromItsWeight)
+{
+    // The contacts are those of the dynamics: two spheres on top of each other, the lower on the floor
+    Scene<3> scene;
+    const double radius = 1e-3, mass = 1e-5;
+    scene.add({0, 0, radius}, {0, 0, 0}, radius, mass);
+    scene.add({0, 0, 3 * radius}, {0, 0, 0}, radius, mass);
+    scene.addFloor();
+    auto dynamics = scene.dynamics();
+    fall<3>(dynamics, up<3>(-g), 1e-4);
+    const std::vector<ContactForce<3>> contacts = dynamics.contacts();
+    ASSERT_EQ(contacts.size(), 2u);
+
+    const nscd::ThermalMaterial glass{1.4, 6e10, 0.22}, steel{50, 2.1e11, 0.3};
+    const Conduction<3> conduction({glass, steel});
+    for (const ContactForce<3>& contact : contacts)
+    {
+        const bool onFloor = contact.second < 0;
+        const ThermalContact expected{
+            glass, onFloor ? steel : glass, radius, onFloor ? HUGE_VAL : radius, (onFloor ? 2 : 1) * mass * g, 1};
+        EXPECT_NEAR(conduction.conductance(contact, dynamics.grains(), {{1, 300.0}})
+                        / nscd::conductance::spheres(expected),
+                    1, 1e-6);  // tolerance/(g dt^2)
+    }
 }
 
 TEST(Conduction, OfAClusterHasTheRadiusOfTheMemberThatTouches)

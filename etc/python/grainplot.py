@@ -23,7 +23,7 @@ import numpy as np
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.collections import EllipseCollection, PolyCollection  # noqa: E402
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection  # noqa: E402
 
 
 @dataclass
@@ -111,6 +111,36 @@ def read_grains(case, time):
     """Data sets of <time>/grains.h5 by name: id, radius (n,), position, velocity (n, 2)."""
     with h5py.File(Path(case) / str(time) / "grains.h5") as file:
         return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
+
+
+def read_contacts(case, name, time):
+    """Lines [(n, 2), ...] and normal forces [N] that a function object contactNetwork wrote."""
+    text = (Path(case) / "postProcessing" / name / f"contacts_{time}.vtk").read_text()
+    words = text.split()
+    axes = read_mesh(case).axes
+
+    def numbers(keyword, skip, count):
+        start = words.index(keyword) + skip
+        return np.array(words[start : start + count], dtype=float)
+
+    n_points = int(words[words.index("POINTS") + 1])
+    n_lines, n_words = (int(word) for word in numbers("LINES", 1, 2))
+    points = numbers("POINTS", 3, 3 * n_points).reshape(-1, 3)[:, axes]
+    indices = numbers("LINES", 3, n_words).astype(int)
+    lines = []
+    while len(indices):
+        lines.append(points[indices[1 : 1 + indices[0]]])
+        indices = indices[1 + indices[0] :]
+    # "SCALARS normal double 1 LOOKUP_TABLE default", then the values
+    return lines, numbers("normal", 5, n_lines)
+
+
+def draw_contacts(ax, lines, widths, scale=4.0, **style):
+    """Contacts as lines; one of width 1 is drawn `scale` points wide."""
+    style = {"colors": "darkred", "capstyle": "round"} | style
+    collection = LineCollection(lines, linewidths=scale * np.asarray(widths), **style)
+    ax.add_collection(collection)
+    return collection
 
 
 def magnitude(values):

@@ -100,7 +100,8 @@ public:
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
     void setTemperature(std::vector<double> temperature);
 
-    /// Take the marked grains away; the others keep their order and the impulses of their contacts.  Collective.
+    /// Take the marked grains away; the others keep their order and the impulses of their contacts, which contacts()
+    /// gives again after the next step.  Collective.
     /// Throws std::invalid_argument unless there is one mark per grain.
     void remove(const std::vector<bool>& gone);
 

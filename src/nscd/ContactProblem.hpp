@@ -93,6 +93,9 @@ public:
     /// Contacts with an impulse and the forces in them, with the numbers of the places of solver order.
     std::vector<ContactForce<D>> forces() const;
 
+    /// No contacts, until the next choice: the candidates they were chosen from are no more.
+    void forget() { begin_.clear(); }
+
     std::size_t contacts() const { return contacts_.size() + levered_.size(); }
     std::size_t active() const;
 

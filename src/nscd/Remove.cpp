@@ -76,6 +76,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     measureGrains();
     rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
     candidateWalls_ = wallBodies_;
+    problem_.forget();
 }
 
 template void ContactDynamics<2>::Implementation::remove(const std::vector<bool>&);

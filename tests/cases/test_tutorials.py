@@ -18,9 +18,7 @@ def tutorial(tmp_path, request):
     shutil.copytree(
         ROOT / "tutorials",
         tmp_path / "tutorials",
-        ignore=shutil.ignore_patterns(
-            "exactOverlap", "centroid", "collapse", "snapshots", "log.*"
-        ),
+        ignore=shutil.ignore_patterns("exactOverlap", "centroid", "snapshots", "log.*"),
     )
     path = tmp_path / request.param.relative_to(ROOT)
     done = subprocess.run(["./Allrun", "-test"], cwd=path, capture_output=True, text=True)

@@ -43,7 +43,8 @@ nscd::Grains<D> readGrains(const grainProperties<D>& properties)
     nscd::ContactDynamics<D> dynamics
     (
         nscd::Grains<D>(), properties.walls().walls(),
-        properties.materials().contactTable(), properties.contact()
+        properties.materials().contactTable(), properties.contact(),
+        MPI_COMM_WORLD, properties.walls().bodies()
     );
     dynamics.load(state);
     Info<< "Grains of " << state << nl;

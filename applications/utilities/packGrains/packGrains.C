@@ -59,7 +59,8 @@ void pack(const fvMesh& mesh, const dictionary& dict)
 
     OFstream os(file);
     os.precision(17);
-    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature" << nl;
+    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature"
+        << (grains.clusters.empty() ? "" : ",shape,qw,qx,qy,qz") << nl;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         const point x(space.positionInSpace(grains.position[i]));
@@ -71,7 +72,15 @@ void pack(const fvMesh& mesh, const dictionary& dict)
             << v.x() << ',' << v.y() << ',' << v.z() << ','
             << w.x() << ',' << w.y() << ',' << w.z() << ','
             << properties.materials().names()[grains.material[i]] << ','
-            << grains.temperature[i] << nl;
+            << grains.temperature[i];
+        if (grains.clusters.size())
+        {
+            const quaternion q(space.orientationInSpace(grains.orientation[i]));
+            os  << ',' << properties.shapes().name(grains.shape[i])
+                << ',' << q.w() << ',' << q.v().x() << ',' << q.v().y()
+                << ',' << q.v().z();
+        }
+        os  << nl;
     }
 
     printPacking(properties, grains);

@@ -8,6 +8,7 @@
 #include "csvTable.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
+#include "grainShapes.H"
 
 addToSelection(grainSource, grainSources, csv)
 
@@ -18,7 +19,7 @@ Foam::grainSources::csv<D>::csv
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(ctx),
+    grainSource<D>(dict, ctx),
     dict_(dict),
     file_(dict.get<fileName>("file")),
     material_(ctx.materials.index(dict, "material"))
@@ -40,7 +41,10 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
         dict_,
         file_,
         {"x", "y", "z", "radius"},
-        {"vx", "vy", "vz", "wx", "wy", "wz", "material", "temperature"}
+        {
+            "vx", "vy", "vz", "wx", "wy", "wz", "material", "temperature",
+            "shape", "qw", "qx", "qy", "qz"
+        }
     );
     const grainSpace<D>& space = this->context_.space;
     const grainMaterials& materials = this->context_.materials;
@@ -81,6 +85,35 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
         result.velocity[i] = space.fromSpace(v);
         result.spin[i] = space.spinFromSpace(w);
         result.temperature[i] = table.number("temperature", i);
+
+        if (table.found("shape"))
+        {
+            const label shapei =
+                this->context_.shapes.find(table.text("shape", i));
+            if (shapei < -1)
+            {
+                table.badValue
+                (
+                    "shape", i,
+                    dictionaryInput::listed(this->context_.shapes.names())
+                );
+            }
+            result.shape[i] = shapei;
+            result.mass[i] =
+                materials.density(material_)*space.volume(result, i);
+        }
+        if (table.found("qw"))
+        {
+            const quaternion q
+            (
+                table.number("qw", i), vectorOf("qx", "qy", "qz", i)
+            );
+            if (mag(mag(q) - 1) > 1e-6)
+            {
+                table.badValue("qw,qx,qy,qz", i, "a quaternion of length 1");
+            }
+            result.orientation[i] = space.orientationFromSpace(q);
+        }
 
         if (table.found("material"))
         {

@@ -7,12 +7,51 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
+#include "grainShapes.H"
+#include "nscd/Random.hpp"
 #include "selected.H"
 
 namespace Foam
 {
     makeSelectable(grainSource)
 }
+
+namespace
+{
+
+// Uniform over all orientations; in space after Shoemake, "Uniform random
+// rotations", Graphics Gems III (1992)
+template<int D>
+nscd::Orientation<D> randomOrientation(nscd::Random& random)
+{
+    const double turn = Foam::constant::mathematical::twoPi;
+    if constexpr (D == 2)
+    {
+        return nscd::Orientation<2>(random.uniform(0, turn));
+    }
+    else
+    {
+        const double u = random.uniform(0, 1);
+        const double a = random.uniform(0, turn);
+        const double b = random.uniform(0, turn);
+        return nscd::Orientation<3>
+        (
+            std::sqrt(1 - u)*std::sin(a), std::sqrt(1 - u)*std::cos(a),
+            std::sqrt(u)*std::sin(b), std::sqrt(u)*std::cos(b)
+        );
+    }
+}
+
+}
+
+
+template<int D>
+Foam::grainSource<D>::grainSource(const dictionary& dict, const context& ctx)
+:
+    context_(ctx),
+    shape_(ctx.shapes.index(dict)),
+    seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0))
+{}
 
 
 template<int D>
@@ -32,7 +71,7 @@ Foam::autoPtr<Foam::grainSource<D>> Foam::grainSource<D>::New
 template<int D>
 void Foam::grainSource<D>::checkKeywords(const dictionary& dict, wordList own)
 {
-    own.append(wordList({"type", "material", "output"}));
+    own.append(wordList({"type", "material", "shape", "seed", "output"}));
     dictionaryInput::checkKeywords(dict, own);
 }
 
@@ -68,14 +107,20 @@ nscd::Grains<D> Foam::grainSource<D>::grains
     g.resize(centres.size());
     g.position = centres;
     g.radius = radii;
+    g.clusters = context_.shapes.clusters();
 
+    nscd::Random random(seed_);
     for (std::size_t i = 0; i < g.size(); ++i)
     {
         g.id[i] = i;
         g.material[i] = material;
+        g.shape[i] = shape_;
+        if (shape_ >= 0)
+        {
+            g.orientation[i] = randomOrientation<D>(random);
+        }
         g.mass[i] =
-            context_.materials.density(material)
-           *context_.space.volume(radii[i]);
+            context_.materials.density(material)*context_.space.volume(g, i);
     }
     return g;
 }

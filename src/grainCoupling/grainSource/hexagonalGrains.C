@@ -19,7 +19,7 @@ Foam::grainSources::hexagonal<D>::hexagonal
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(ctx),
+    grainSource<D>(dict, ctx),
     radius_(dictionaryInput::getPositive(dict, "radius", dimLength)),
     material_(ctx.materials.index(dict, "material"))
 {

@@ -20,7 +20,7 @@ Foam::grainSources::randomFill<D>::randomFill
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(ctx),
+    grainSource<D>(dict, ctx),
     dict_(dict),
     box_(readBox(dict, ctx.space)),
     number_(dictionaryInput::getLabel(dict, "number", 0)),
@@ -32,17 +32,16 @@ Foam::grainSources::randomFill<D>::randomFill
             dict, "maxRadius", dimLength, minRadius_, minRadius_
         )
     ),
-    seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0)),
     material_(ctx.materials.index(dict, "material"))
 {
-    this->checkKeywords(dict, {"box", "number", "minRadius", "maxRadius", "seed"});
+    this->checkKeywords(dict, {"box", "number", "minRadius", "maxRadius"});
 }
 
 
 template<int D>
 nscd::Grains<D> Foam::grainSources::randomFill<D>::read() const
 {
-    nscd::Random random(seed_);
+    nscd::Random random(this->seed_);
     std::vector<double> radii;
     for (label i = 0; i < number_; ++i)
     {
@@ -52,7 +51,7 @@ nscd::Grains<D> Foam::grainSources::randomFill<D>::read() const
     {
         return this->grains
         (
-            nscd::randomFill<D>(box_, radii, seed_), radii, material_
+            nscd::randomFill<D>(box_, radii, this->seed_), radii, material_
         );
     }
     catch (const std::exception& err)

@@ -19,7 +19,7 @@ Foam::grainSources::settled<D>::settled
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(ctx),
+    grainSource<D>(dict, ctx),
     dict_(dict),
     deltaT_(dictionaryInput::getPositive(dict, "deltaT", dimTime)),
     maxSpeed_
@@ -59,7 +59,9 @@ nscd::Grains<D> Foam::grainSources::settled<D>::read() const
             )->read(),
             this->context_.walls.walls(),
             this->context_.materials.contactTable(),
-            contact
+            contact,
+            MPI_COMM_WORLD,
+            this->context_.walls.bodies()
         ),
         this->context_.space.fromSpace(this->context_.g),
         deltaT_,

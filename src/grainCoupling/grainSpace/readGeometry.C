@@ -88,6 +88,30 @@ Foam::Pair<nscd::Vector<D>> Foam::readPlane
 }
 
 
+template<int D>
+nscd::Spin<D> Foam::readAxis
+(
+    const dictionary& dict,
+    const grainSpace<D>& space
+)
+{
+    const vector v(dict.get<vector>("axis"));
+    if (mag(v) < SMALL || !space.holdsSpin(v))
+    {
+        OStringStream value;
+        value << v;
+        dictionaryInput::badValue
+        (
+            dict, "axis", value.str(),
+            D == 2
+          ? "a vector normal to the plane of the mesh, not zero"
+          : "a vector that is not zero"
+        );
+    }
+    return space.spinFromSpace(v/mag(v));
+}
+
+
 template nscd::Box<2> Foam::readBox
 (
     const dictionary&, const grainSpace<2>&
@@ -95,6 +119,10 @@ template nscd::Box<2> Foam::readBox
 template nscd::Vector<2> Foam::readDirection
 (
     const dictionary&, const word&, const grainSpace<2>&
+);
+template nscd::Spin<2> Foam::readAxis
+(
+    const dictionary&, const grainSpace<2>&
 );
 template Foam::Pair<nscd::Vector<2>> Foam::readPlane
 (
@@ -108,6 +136,10 @@ template nscd::Box<3> Foam::readBox
 template nscd::Vector<3> Foam::readDirection
 (
     const dictionary&, const word&, const grainSpace<3>&
+);
+template nscd::Spin<3> Foam::readAxis
+(
+    const dictionary&, const grainSpace<3>&
 );
 template Foam::Pair<nscd::Vector<3>> Foam::readPlane
 (

@@ -5,6 +5,7 @@
 
 #include "grainChecks.H"
 
+#include "nscd/Members.hpp"
 #include "OStringStream.H"
 #include "Pstream.H"
 #include "wallDistance.H"
@@ -74,7 +75,12 @@ std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overla
 ) const
 {
     std::vector<overlap> result;
-    const std::vector<double>& r = grains_.radius;
+    const nscd::Members<D> members(grains_);
+    const std::vector<double>& r = members.radius();
+    const nscd::Vectors<D> x
+    (
+        members.positions(grains_.position, grains_.orientation)
+    );
     if (r.empty())
     {
         return result;
@@ -88,7 +94,7 @@ std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overla
         order.begin(), order.end(),
         [&](const label i, const label j)
         {
-            return grains_.position[i].x() < grains_.position[j].x();
+            return x[i].x() < x[j].x();
         }
     );
     const scalar reach = 2**std::max_element(r.begin(), r.end());
@@ -97,24 +103,26 @@ std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overla
     {
         for (auto b = a + 1; b != order.end(); ++b)
         {
-            const nscd::Vector<D> apart(grains_.position[*b] - grains_.position[*a]);
+            const nscd::Vector<D> apart(x[*b] - x[*a]);
             if (apart.x() > reach)
             {
                 break;
             }
             const scalar depth = r[*a] + r[*b] - apart.norm();
-            if (depth > 2*fraction*std::min(r[*a], r[*b]))
+            const label i = members.grain(*a);
+            const label j = members.grain(*b);
+            if (i != j && depth > 2*fraction*std::min(r[*a], r[*b]))
             {
-                result.push_back({*a, *b, depth});
+                result.push_back({i, j, depth});
             }
         }
         for (const auto& wall : properties_.walls().walls())
         {
             const scalar depth =
-                r[*a] - wallDistance(wall, grains_.position[*a]);
+                r[*a] - wallDistance(wall, x[*a]);
             if (depth > 2*fraction*r[*a])
             {
-                result.push_back({*a, -1, depth});
+                result.push_back({members.grain(*a), -1, depth});
             }
         }
     }
@@ -130,7 +138,7 @@ void Foam::grainChecks<D>::requireMasses() const
         const label m = grains_.material[i];
         const scalar mass =
             properties_.materials().density(m)*properties_.packingRatio()
-           *properties_.space().volume(grains_.radius[i]);
+           *properties_.space().volume(grains_, i);
 
         // A mesh's depth is written with a finite number of digits
         if (mag(grains_.mass[i] - mass) > 1e-6*mass)

@@ -26,7 +26,9 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
                 restart ? nscd::Grains<D>() : properties_.initialGrains(),
                 properties_.walls().walls(),
                 properties_.materials().contactTable(),
-                properties_.contact()
+                properties_.contact(),
+                MPI_COMM_WORLD,
+                properties_.walls().bodies()
             )
         );
         if (restart)
@@ -82,8 +84,18 @@ void Foam::grainDynamics<D>::advance
         torque[i] = space().spinFromSpace(givenTorque[i]);
     }
 
+    // Without the round-off of a sum of steps, which a restart would not have
+    const scalar grid = 1e-6*deltaT;
+    const scalar start =
+        grid*std::round((mesh().time().value() - deltaT)/grid);
+
     try
     {
+        properties_.walls().setMotion
+        (
+            *dynamics_, start, deltaT, space().fromSpace(properties_.g())
+        );
+        keptContacts_.clear();
         lastStep_ = dynamics_->step(force, torque, deltaT);
     }
     catch (const std::exception& err)
@@ -125,11 +137,11 @@ void Foam::grainDynamics<D>::locate()
 template<int D>
 void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
 {
-    dynamics_->remove(gone);
-
+    labelList newIndex(size());
     label kept = 0;
     forAll(cell_, i)
     {
+        newIndex[i] = kept;
         if (!gone[i])
         {
             cell_[kept] = cell_[i];
@@ -141,7 +153,41 @@ void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
         }
     }
     fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
+
+    for (nscd::ContactForce<D> c : dynamics_->contacts())
+    {
+        const bool withWall = c.second < 0;
+        if (!gone[c.first] && (withWall || !gone[c.second]))
+        {
+            c.first = newIndex[c.first];
+            c.second = withWall ? c.second : newIndex[c.second];
+            keptContacts_.push_back(c);
+        }
+    }
+    dynamics_->remove(gone);
     locate();
+}
+
+
+template<int D>
+std::vector<Foam::grainView::contact>
+Foam::grainDynamics<D>::contacts() const
+{
+    std::vector<contact> result;
+    for
+    (
+        const nscd::ContactForce<D>& c :
+        keptContacts_.empty() ? dynamics_->contacts() : keptContacts_
+    )
+    {
+        result.push_back
+        ({
+            c.first, max(label(c.second), label(-1)),
+            space().positionInSpace(c.point), space().toSpace(c.normal),
+            space().toSpace(c.force), c.gap
+        });
+    }
+    return result;
 }
 
 

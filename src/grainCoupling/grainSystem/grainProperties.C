@@ -40,6 +40,7 @@ Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
     ),
     g_(g),
     materials_(dict_),
+    shapes_(dict_, space_),
     walls_
     (
         dictionaryInput::subDict(dict_, "walls"), space_, materials_
@@ -67,7 +68,7 @@ void Foam::grainProperties<D>::check() const
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
             "initialGrains", "allowedOverlap", "contact", "coupling",
-            "outlets"
+            "outlets", "shapes"
         }
     );
     if (dict_.found("coupling"))
@@ -193,7 +194,7 @@ nscd::Grains<D> Foam::grainProperties<D>::grains(const dictionary& source) const
     {
         result = grainSource<D>::New
         (
-            source, {space_, materials_, walls_, contact_, g_}
+            source, {space_, materials_, shapes_, walls_, contact_, g_}
         )->read();
     }
     catch (const std::exception& err)

@@ -21,6 +21,18 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
         )
     )
 {
+    for (const int shapei : grains().shape)
+    {
+        if (shapei >= 0)
+        {
+            FatalIOErrorInFunction(properties().dict())
+                << "Keyword 'shape' of 'initialGrains' names "
+                << properties().shapes().name(shapei) << nl
+                << "    allowed with a fluid: " << grainSpace<2>::shape
+                << exit(FatalIOError);
+        }
+    }
+
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<cyclicPolyPatch>(patch))
@@ -85,15 +97,19 @@ Foam::vector Foam::grainSystem::contactVelocity
         return Zero;
     }
 
+    const nscd::Spin<2> spin
+    (
+        nscd::spinOf<2>
+        (
+            grains(), graini, grains().orientation[graini],
+            dynamics().contactSpinImpulse()[graini]
+        )
+    );
     return deltaT/lastDeltaT*
     (
         space().toSpace(dynamics().contactImpulse()[graini])
        /grains().mass[graini]
-      + (
-            space().spinInSpace(dynamics().contactSpinImpulse()[graini])
-           /inertia(graini)
-          ^ arm
-        )
+      + (space().spinInSpace(spin) ^ arm)
     );
 }
 

@@ -25,14 +25,29 @@ Foam::grainWalls<D>::grainWalls
         const word type(wall.get<word>("type"));
         const int material = materials.index(wall, "material");
 
+        int body = -1;
+        if (wall.found("motion"))
+        {
+            body = int(bodies_.size());
+            motions_.append
+            (
+                wallMotion<D>::New
+                (
+                    dictionaryInput::subDict(wall, "motion"), space
+                )
+            );
+            bodies_.push_back(motions_.last().body());
+        }
+
         if (type == "plane")
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "point", "normal", "material"}
+                wall, {"type", "point", "normal", "material", "motion"}
             );
             auto plane = wallPieces::ofPlane(wall, space);
             plane.material = material;
+            plane.body = body;
             planes.push_back(plane);
             continue;
         }
@@ -42,13 +57,16 @@ Foam::grainWalls<D>::grainWalls
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "patches", "material"}
+                wall, {"type", "patches", "material", "motion"}
             );
             own = wallPieces::ofPatches(wall, space);
         }
         else if (type == "surface")
         {
-            dictionaryInput::checkKeywords(wall, {"type", "file", "material"});
+            dictionaryInput::checkKeywords
+            (
+                wall, {"type", "file", "material", "motion"}
+            );
             own = wallPieces::ofSurface(wall, space);
         }
         else
@@ -61,6 +79,7 @@ Foam::grainWalls<D>::grainWalls
         for (wallPiece<D>& piece : own)
         {
             piece.material = material;
+            piece.body = body;
             pieces.push_back(piece);
         }
     }
@@ -74,6 +93,22 @@ Foam::grainWalls<D>::grainWalls
         walls_ = mergedFaces(pieces);
     }
     walls_.insert(walls_.end(), planes.begin(), planes.end());
+}
+
+
+template<int D>
+void Foam::grainWalls<D>::setMotion
+(
+    nscd::ContactDynamics<D>& dynamics,
+    const scalar t,
+    const scalar deltaT,
+    const nscd::Vector<D>& g
+) const
+{
+    forAll(motions_, bodyi)
+    {
+        motions_[bodyi].set(dynamics, bodyi, t, deltaT, g);
+    }
 }
 
 

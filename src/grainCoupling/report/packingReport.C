@@ -35,7 +35,7 @@ void Foam::printPacking
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         const nscd::Vector<D> reach(nscd::Vector<D>::Constant(r[i]));
-        volume += space.volume(r[i]);
+        volume += space.volume(grains, i);
         box.extend(grains.position[i] - reach);
         box.extend(grains.position[i] + reach);
     }

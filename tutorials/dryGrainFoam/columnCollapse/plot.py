@@ -9,20 +9,19 @@ import grainplot
 import matplotlib.pyplot as plt
 import numpy as np
 
-CASE = "collapse"
 WIDTH = 0.1  # of the column at the start [m]
 
 
 def initial():
     """Grains of the CSV file that the run began with."""
-    file = f"{CASE}/constant/grains.csv"
+    file = "constant/grains.csv"
     data = np.genfromtxt(file, delimiter=",", names=True, usecols=range(8))
     position = np.column_stack([data["x"], data["y"]])
     return {"position": position, "radius": data["radius"], "velocity": 0 * position}
 
 
 def grains(time):
-    return initial() if time == "0" else grainplot.read_grains(CASE, time)
+    return initial() if time == "0" else grainplot.read_grains(".", time)
 
 
 def front(state):
@@ -37,7 +36,7 @@ def front(state):
 
 def snapshot(axis, time):
     state = grains(time)
-    grainplot.draw_cells(axis, grainplot.read_mesh(CASE), linewidths=0.1)
+    grainplot.draw_cells(axis, grainplot.read_mesh("."), linewidths=0.1)
     speed = grainplot.magnitude(state["velocity"])
     discs = grainplot.draw_grains(axis, state, speed, clim=(0, 1), linewidths=0)
     axis.set_ylim(0, 0.26)
@@ -46,13 +45,13 @@ def snapshot(axis, time):
 
 
 def main():
-    times = ["0", *(t for t in grainplot.times(CASE) if t != "0")]
+    times = ["0", *(t for t in grainplot.times(".") if t != "0")]
     shown = [times[i] for i in np.unique(np.linspace(0, len(times) - 1, 6).round().astype(int))]
     Path("snapshots").mkdir(exist_ok=True)
 
     rows = -(-len(shown) // 2)
     figure, axes = plt.subplots(
-        rows, 2, figsize=(13, 3.1 * rows), layout="constrained", squeeze=False
+        rows, 2, figsize=(13, 2.3 * rows), layout="constrained", squeeze=False
     )
     for axis, time in zip(axes.flat, shown, strict=False):
         discs = snapshot(axis, time)

@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "freeMotion.H"
+
+#include "dictionaryInput.H"
+#include "OStringStream.H"
+
+addToSelection(wallMotion, wallMotions, free)
+
+template<int D>
+Foam::wallMotions::free<D>::free
+(
+    const dictionary& dict,
+    const grainSpace<D>& space
+)
+:
+    force_
+    (
+        space.fromSpace(dict.getOrDefault<vector>("force", Zero))
+    )
+{
+    dictionaryInput::checkKeywords
+    (
+        dict, {"type", "mass", "centre", "inertia", "force", "velocity"}
+    );
+
+    body_.mass = dictionaryInput::getPositive(dict, "mass", dimMass);
+    body_.position = space.fromSpace(dict.get<point>("centre"));
+    body_.velocity =
+        space.fromSpace(dict.getOrDefault<vector>("velocity", Zero));
+
+    if (dict.found("inertia"))
+    {
+        const vector inertia(dict.get<vector>("inertia"));
+        if (cmptMin(inertia) <= 0)
+        {
+            OStringStream value;
+            value << inertia;
+            dictionaryInput::badValue
+            (
+                dict, "inertia", value.str(), "three values > 0"
+            );
+        }
+        body_.inertia = space.spinFromSpace(inertia).cwiseAbs();
+    }
+}
+
+
+template<int D>
+nscd::WallBody<D> Foam::wallMotions::free<D>::body() const
+{
+    return body_;
+}
+
+
+template<int D>
+void Foam::wallMotions::free<D>::set
+(
+    nscd::ContactDynamics<D>& dynamics,
+    const label bodyi,
+    const scalar t,
+    const scalar deltaT,
+    const nscd::Vector<D>& g
+) const
+{
+    dynamics.setWallLoad
+    (
+        bodyi, force_ + body_.mass*g, nscd::Spin<D>::Zero()
+    );
+}

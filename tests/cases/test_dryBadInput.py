@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Entries of dryGrainFoam that make no sense stop it before the first time step, by name."""
+
+import pytest
+from dry_box import GRAINS, dry_box
+from grain_box import replace
+
+
+def contact(text):
+    return lambda case: replace(case, GRAINS, "maxSweeps   200;", f"maxSweeps 200; {text}")
+
+
+def law(text):
+    return lambda case: replace(case, GRAINS, "friction    0.2;", f"friction 0.2; {text}")
+
+
+def wall(text):
+    return lambda case: replace(
+        case, GRAINS, "walls\n{\n", f"walls\n{{\n    other {{ material steel; {text} }}\n"
+    )
+
+
+def motion(text):
+    return wall(f"type plane; point (0 0 0); normal (0 1 0); motion {{ {text} }}")
+
+
+def section(name, text):
+    def spoil(case):
+        path = case.path / GRAINS
+        path.write_text(f"{path.read_text()}\n{name}\n{{\n    one {{ {text} }}\n}}\n")
+
+    return spoil
+
+
+def shape(text):
+    return lambda case: replace(case, GRAINS, "shape   disc", f"shape   {text}")
+
+
+MOTIONS = ["free", "oscillation", "rotation", "table", "translation"]
+
+# name, how the good case is spoilt, what the message holds besides the file
+TABLE = [
+    ("shapeOfMesh", shape("sphere"), ["'shape'", "sphere", "disc", "two-dimensional"]),
+    ("solver", contact("solver magic;"), ["'solver'", "magic", "sweeps queue nesterov"]),
+    ("restitution", law("restitution 2;"), ["'restitution'", "value 2", "from 0 to 1"]),
+    ("rolling", law("rolling -1;"), ["'rolling'", "-1", ">= 0"]),
+    ("cohesionOfCoulomb", law("cohesion 1;"), ["'cohesion'", "friction"]),
+    ("wallType", wall("type cube;"), ["'type'", "cube", "patches, surface, plane"]),
+    ("planeNormal", wall("type plane; point (0 0 0); normal (0 0 1);"), ["'normal'", "(0 0 1)"]),
+    ("planeKey", wall("type plane; point (0 0 0); normal (0 1 0); x 1;"), ["other", "'x'"]),
+    ("surface", wall('type surface; file "no.stl";'), ["'file'", "no.stl", "exists"]),
+    ("motionType", motion("type jump;"), ["'type'", "jump", *MOTIONS]),
+    ("motionKey", motion("type translation; velocity (0 1 0); x 1;"), ["motion", "'x'"]),
+    ("outletType", section("outlets", "type hole;"), ["'type'", "hole", "beyond", "patches"]),
+    ("outletPatch", section("outlets", "type patches; patches (lid);"), ["'patches'", "lid"]),
+    ("outletBox", section("outlets", "type box; box (0 0 0) (0 1 0);"), ["'box'", "two corners"]),
+    ("outletKey", section("outlets", "type patches; patches (top); x 1;"), ["outlets", "'x'"]),
+    ("shapeType", section("shapes", "type cube;"), ["'type'", "cube", "cluster"]),
+    (
+        "shapeRadii",
+        section("shapes", "type cluster; centres ((0 0 0)); radii (1 2);"),
+        ["'centres'", "as many radii"],
+    ),
+]
+
+
+@pytest.mark.parametrize("spoil, fragments", [row[1:] for row in TABLE], ids=[r[0] for r in TABLE])
+def test_bad_input_is_refused(clone, spoil, fragments):
+    case = dry_box(clone, [(0.03, 0.03), (0.06, 0.05)], dimension=2)
+    spoil(case)
+    before = case.times
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in [GRAINS, *fragments]:
+        assert fragment in case.log, f"no '{fragment}' in\n{case.log[case.log.find('-->') :]}"
+    assert "\nTime = " not in case.log
+    assert case.times == before
+    assert "printStack" not in case.log
+
+
+def test_clusters_in_a_fluid_are_refused(clone):
+    case = clone("grainBox")
+    case.run("blockMesh")
+    section("shapes", "type cluster; centres ((0 0 0) (1 0 0)); radii (1 1);")(case)
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius,shape\n0.05,0.05,0,0.004,one\n")
+    assert case.run("grainFoam", check=False, timeout=60) == 1
+    assert "allowed with a fluid: disc" in case.log

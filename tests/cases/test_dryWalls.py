@@ -1,0 +1,235 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""dryGrainFoam: walls that move, contact laws, clusters, periodic boxes, force chains."""
+
+import numpy as np
+import pytest
+from dry_box import GRAINS, G, cubic, dry_box
+from grain_box import control, lattice, ledger, replace, tracks
+
+RADIUS = 0.005
+DT = 1e-3
+DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3])
+
+
+CHAINS = """functions
+{
+    forceChains
+    {
+        type            contactNetwork;
+        libs            ("libgrainFunctionObjects.so");
+        writeControl    writeTime;
+    }
+"""
+
+
+def add(case, text):
+    """Append to grainProperties."""
+    path = case.path / GRAINS
+    path.write_text(path.read_text() + text)
+
+
+def add_wall(case, name, entries):
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    {name} {{ {entries} material steel; }}\n")
+
+
+def up(dimension):
+    return np.eye(dimension)[dimension - 1]
+
+
+def vector(values):
+    """As OpenFOAM writes it; two components are x and y."""
+    return "(" + " ".join(str(float(v)) for v in [*values, 0.0][:3]) + ")"
+
+
+@DIMENSIONS
+def test_grain_rides_on_a_piston(clone, dimension):
+    """It stays on a floor that is lifted at constant speed and falls when that stops."""
+    start = np.full(dimension, 0.05)
+    start[-1] = 0.02 + RADIUS
+    case = dry_box(clone, [start], RADIUS, dimension=dimension)
+    piston = 0.02 * up(dimension)
+    add_wall(
+        case,
+        "piston",
+        f"type plane; point {vector(piston)}; normal {vector(up(dimension))};"
+        f"motion {{ type translation; velocity {vector(0.5 * up(dimension))}; end 0.03; }}",
+    )
+    control(case, endTime=0.04)
+    case.run("dryGrainFoam")
+    n = np.arange(1, 41)
+    height = tracks(case)[:, 1 + dimension]
+    lifted = n <= 30
+    # The tolerance per step
+    np.testing.assert_allclose(
+        height[lifted], 0.02 + RADIUS + 0.5 * DT * n[lifted], atol=30 * 1e-7
+    )
+    k = n[~lifted] - 30
+    thrown = 0.5 * DT * k - G * DT**2 * k * (k + 1) / 2
+    np.testing.assert_allclose(height[~lifted] - height[29], thrown, atol=1e-6)
+
+
+@DIMENSIONS
+def test_moving_walls_continue_after_a_restart(clone, dimension):
+    if dimension == 2:
+        start = lattice(8, 4, 0.011, (0.01, 0.02))
+    else:
+        start = cubic(8, 8, 2, 0.011, (0.01, 0.01, 0.02))
+    cases = [dry_box(clone, start, RADIUS, dimension=dimension, name=name) for name in "ab"]
+    for case in cases:
+        add_wall(
+            case,
+            "shaker",
+            f"type plane; point {vector(0.01 * up(dimension))}; normal {vector(up(dimension))};"
+            f"motion {{ type oscillation; direction {vector(up(dimension))};"
+            " amplitude 2e-3; frequency 20; }",
+        )
+        control(case, endTime=0.08, writeInterval=40)
+    whole, parts = cases
+    whole.run("dryGrainFoam")
+    control(parts, endTime=0.04)
+    parts.run("dryGrainFoam")
+    control(parts, endTime=0.08)
+    parts.run("dryGrainFoam")
+    one, other = whole.grains("0.08"), parts.grains("0.08")
+    for name in one:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    assert ledger(whole)["active"].max() > 5
+
+
+def test_free_lid_presses_on_a_column(clone):
+    """A lid of finite mass that rests on a disc between walls adds its weight to the floor's."""
+    case = dry_box(clone, [(0.05, RADIUS)], RADIUS, dimension=2)
+    lid = "vertex 0.02 0.01 {0} vertex 0.08 0.01 {1} vertex 0.08 0.01 {2}"
+    facets = [lid.format(-1, -1, 1), lid.format(-1, 1, 1).replace("0.08 0.01 1 v", "0.02 0.01 1 v")]
+    text = "".join(f"facet normal 0 1 0 outer loop {f} endloop endfacet\n" for f in facets)
+    (case.path / "constant/triSurface").mkdir()
+    (case.path / "constant/triSurface/lid.stl").write_text(f"solid lid\n{text}endsolid lid\n")
+    add_wall(
+        case,
+        "lid",
+        'type surface; file "lid.stl";'
+        "motion { type free; mass 0.05; centre (0.05 0.01 0); force (0 -1 0); }",
+    )
+    case.run("dryGrainFoam")
+    np.testing.assert_allclose(case.grains()["position"], [(0.05, RADIUS)], atol=50e-7)
+    # Grain, lid, force: what the floor carries less what the lid gives is the grain's weight
+    mass = case.grains()["mass"][0]
+    book = ledger(case)
+    np.testing.assert_allclose(book["impulse_y"][5:], mass * G * DT, rtol=1e-2)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
+def test_ball_bounces_with_its_restitution(clone, restitution):
+    start = (0.05, RADIUS + 0.0303)
+    case = dry_box(clone, [start], RADIUS, dimension=2)
+    replace(case, GRAINS, "friction    0.2;", f"friction 0.2; restitution {restitution};")
+    control(case, endTime=0.13)
+    case.run("dryGrainFoam")
+    velocity = tracks(case)[:, 6]
+    hit = np.argmin(velocity)
+    # Without restitution the step that hits closes the gap, the next one stops; gravity of both
+    after = velocity[hit + 2]
+    assert after == pytest.approx(-restitution * velocity[hit], abs=3 * G * DT)
+
+
+def test_disc_passes_a_periodic_boundary_and_meets_the_other_side(clone):
+    case = dry_box(clone, [(0.02, 0.05), (0.09, 0.05)], RADIUS, [(0, 0), (1, 0)], 2)
+    for name, partner in (("left", "right"), ("right", "left")):
+        wall = f"{name}\n    {{\n        type    wall;"
+        cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
+        replace(case, "system/blockMeshDict", wall, cyclic)
+    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
+    replace(case, "constant/g", "(0 -9.81 0)", "(0 0 0)")
+    case.run("blockMesh")
+    control(case, endTime=0.04, writeInterval=40)
+    case.run("dryGrainFoam")
+    grains = case.grains()
+    # 20 mm to go to the image of the first, then both at half the speed
+    np.testing.assert_allclose(grains["velocity"], [(0.5, 0), (0.5, 0)], atol=1e-4)
+    np.testing.assert_allclose(grains["position"][:, 0], [0.03, 0.12], atol=1e-3)
+    case.run("foamToVTK -latestTime")
+    (file,) = (case.path / "VTK").rglob("lagrangian/**/*.vtp")
+    assert b"NumberOfPoints='2'" in file.read_bytes()
+
+
+def test_force_chains_of_a_column(clone):
+    n = 5
+    start = lattice(1, n, 2 * RADIUS, (0.05, RADIUS))
+    case = dry_box(clone, start, RADIUS, dimension=2)
+    replace(case, "system/controlDict", "functions\n{\n", CHAINS)
+    control(case, endTime=0.05, writeInterval=50)
+    case.run("dryGrainFoam")
+
+    text = (case.path / "postProcessing/forceChains/contacts_0.05.vtk").read_text().split()
+    normal = text.index("normal") + 5
+    first = text.index("first") + 5
+    second = text.index("second") + 5
+    weight = case.grains()["mass"][0] * G
+    carried = {}
+    for k in range(n):
+        pair = frozenset((int(text[first + k]), int(text[second + k])))
+        carried[pair] = float(text[normal + k]) / weight
+    # The k-th contact from below carries n - k grains, to the tolerance over g dt^2
+    expected = {frozenset((k, k - 1)): n - k for k in range(n)}
+    assert carried.keys() == expected.keys()
+    for pair, grains in expected.items():
+        assert carried[pair] == pytest.approx(grains, abs=n * 1e-2)
+
+
+def rods(clone, dimension, name=None):
+    """A lattice of rods of three discs or spheres in random directions, from packGrains."""
+    case = dry_box(clone, dimension=dimension, name=name)
+    rod = "type cluster; centres ((0 0 0) (2 0 0) (4 0 0)); radii (1 1 1);"
+    add(case, f"\nshapes\n{{\n    rod {{ {rod} }}\n}}\n")
+    header = "FoamFile { version 2.0; format ascii; class dictionary; object packGrainsDict; }\n"
+    box = "(0 0 0) (0.1 0.1 0.1)" if dimension == 3 else "(0 0 0) (0.1 0.1 0)"
+    (case.path / "system/packGrainsDict").write_text(
+        f"{header}type lattice; box {box}; radius 0.012; shape rod; seed 3; material glass;"
+    )
+    case.run("packGrains")
+    return case
+
+
+@DIMENSIONS
+def test_rods_fall_settle_and_continue(clone, dimension):
+    whole, parts = (rods(clone, dimension, name) for name in "ab")
+    for case in (whole, parts):
+        control(case, endTime=0.2, writeInterval=100, writeFormat="ascii")
+    whole.run("dryGrainFoam")
+    control(parts, endTime=0.1)
+    parts.run("dryGrainFoam")
+    control(parts, endTime=0.2)
+    parts.run("dryGrainFoam")
+    one, other = whole.grains("0.2"), parts.grains("0.2")
+    for name in one:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+
+    n = len(one["id"])
+    assert n == 4**dimension
+    # Three discs of a third of the length: area 3 pi (R/3)^2; spheres alike
+    volume = 3 * np.pi * 0.004**2 * 0.01 if dimension == 2 else 4 * np.pi * 0.004**3
+    np.testing.assert_allclose(one["mass"], 2500 * volume, rtol=1e-5)
+    book = ledger(whole)
+    # Contacts only take energy
+    assert (book["contactWork"] <= 1e-9).all()
+    assert book["kineticEnergy"][-1] < book["kineticEnergy"].max()
+    assert book["worstOverlap"].max() < 1e-4
+
+    # Cloud of the members, three for each rod
+    whole.run("foamToVTK -latestTime")
+    files = list((whole.path / "VTK").rglob("lagrangian/members/*.vtp"))
+    assert len(files) == 1
+    assert f"NumberOfPoints='{3 * n}'".encode() in files[0].read_bytes()
+
+
+@pytest.mark.parallel
+def test_ranks_agree_on_rods(clone):
+    one, many = (rods(clone, 3, name) for name in "ab")
+    for case in (one, many):
+        control(case, endTime=0.1, writeInterval=100)
+    one.run("dryGrainFoam")
+    many.run("decomposePar")
+    many.parallel("dryGrainFoam", 2)
+    for name in ("position", "velocity", "spin", "orientation"):
+        np.testing.assert_array_equal(one.grains("0.1")[name], many.grains("0.1")[name])

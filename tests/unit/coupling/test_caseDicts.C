@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "foamTest.H"
+
+#include "contactLaw.H"
+#include "grainMaterials.H"
+#include "grainOutlet.H"
+#include "grainShapes.H"
+#include "IFstream.H"
+#include "wallMotion.H"
+
+using namespace Foam;
+
+namespace
+{
+
+dictionary documented(const std::string& name)
+{
+    return dictionary(IFstream(fileName(GRAINFOAM_SRC "/../etc/caseDicts/" + name))());
+}
+
+}
+
+
+TEST(CaseDicts, OfGrainPropertiesAreAccepted)
+{
+    foamTest::planarCase planar(2, 2);
+    const grainSpace<2> space(planar.mesh());
+    const dictionary dict(documented("grainProperties"));
+
+    const grainMaterials materials(dict);
+    EXPECT_EQ(materials.contactTable()(0, 0).restitution, 0.5);
+    EXPECT_EQ(materials.contactTable()(0, 1).tension, 0.1);
+
+    label nMoving = 0;
+    for (const word& name : dict.subDict("walls").toc())
+    {
+        const dictionary& wall = dict.subDict("walls").subDict(name);
+        EXPECT_GE(materials.index(wall, "material"), 0) << name;
+        if (wall.found("motion"))
+        {
+            EXPECT_NO_THROW(wallMotion<2>::New(wall.subDict("motion"), space)) << name;
+            ++nMoving;
+        }
+    }
+    EXPECT_EQ(nMoving, 5);
+
+    const dictionary& outlets = dict.subDict("outlets");
+    for (const word& name : outlets.toc())
+    {
+        EXPECT_NO_THROW(grainOutlet<2>::New(outlets.subDict(name), space)) << name;
+    }
+    EXPECT_EQ(outlets.size(), 3);
+
+    const grainShapes<2> shapes(dict, space);
+    EXPECT_EQ(shapes.names(), wordList({"rod", "disc"}));
+    EXPECT_EQ(shapes.find("rod"), 0);
+    EXPECT_EQ(shapes.find("disc"), -1);
+}
+
+
+TEST(GrainShapes, AreScaledToRadiusOne)
+{
+    // Two discs side by side: area 2 pi r^2 of r = 1/2
+    foamTest::planarCase planar(1, 1);
+    const grainSpace<2> space(planar.mesh());
+    const grainShapes<2> shapes
+    (
+        foamTest::dict("shapes { pair { type cluster; centres ((0 0 0) (0 6 0)); radii (3 3); } }"),
+        space
+    );
+    ASSERT_EQ(shapes.clusters().size(), 1u);
+    EXPECT_NEAR(shapes.clusters()[0].volume, constant::mathematical::pi/2, 1e-6);
+
+    nscd::Grains<2> grains;
+    grains.resize(2);
+    grains.clusters = shapes.clusters();
+    grains.radius = {0.2, 0.2};
+    grains.shape = {0, -1};
+    EXPECT_NEAR(space.volume(grains, 0)/space.volume(grains, 1), 0.5, 1e-6);
+}
+
+
+TEST(GrainShapes, RefuseWhatMakesNoSense)
+{
+    foamTest::planarCase planar(1, 1);
+    const grainSpace<2> space(planar.mesh());
+    const auto shapes = [&](const std::string& entries)
+    {
+        return grainShapes<2>(foamTest::dict("shapes { a { " + entries + " } }"), space);
+    };
+    EXPECT_FOAM_ERROR(shapes("type cube;"), "cluster");
+    EXPECT_FOAM_ERROR(shapes("type cluster; centres ((0 0 0)); radii (1 1);"), "as many radii");
+    EXPECT_FOAM_ERROR(shapes("type cluster; centres ((0 0 0)); radii (-1);"), "radii > 0");
+    EXPECT_FOAM_ERROR(shapes("type cluster; centres ((0 0 0)); radii (1); x 1;"), "'x'");
+    EXPECT_FOAM_ERROR
+    (
+        grainShapes<2>(dictionary(), space).index(foamTest::dict("shape rod;")), "disc"
+    );
+}
+
+
+TEST(Orientation, IsTheSameInSpace)
+{
+    foamTest::planarCase planar(1, 1);
+    const grainSpace<2> space(planar.mesh());
+    for (const double angle : {0.0, 0.3, -2.0, 3.0})
+    {
+        const nscd::Orientation<2> o(angle);
+        const quaternion q(space.orientationInSpace(o));
+        EXPECT_NEAR(space.orientationFromSpace(q).angle(), angle, 1e-14);
+
+        const nscd::Vector<2> x(0.2, 0.7);
+        EXPECT_NEAR(mag(q.transform(space.toSpace(x)) - space.toSpace(o*x)), 0, 1e-14);
+    }
+}

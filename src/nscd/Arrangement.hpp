@@ -17,7 +17,7 @@ class Arrangement
 {
 public:
     Arrangement(const Walls<D>& walls, const ContactTable& table, const std::array<double, 3>& period)
-        : walls_(walls), table_(table), period_(period),
+        : walls_(walls, period), table_(table), period_(period),
           periodic_(*std::max_element(period.begin(), period.end()) > 0)
     {
         for (const auto& wall : walls)
@@ -40,6 +40,11 @@ public:
         {
             radius_[k] = members.radius()[order[k]];
             material_[k] = grains.material[members.grain(order[k])];
+        }
+        ofCluster_.clear();
+        for (std::size_t k = 0; k < order.size() && !members.simple(); ++k)
+        {
+            ofCluster_.push_back(grains.shape[members.grain(order[k])] >= 0);
         }
         move(grains, members, candidates);
     }
@@ -107,17 +112,18 @@ public:
         return arm_.empty() ? toContact : Vector<D>(arm_[pair.second] + toContact);
     }
 
-    /// The point in the middle of gap or overlap [m].
+    /// The point in the middle of gap or overlap [m], at the wall if it is one, else at the first grain.
     Vector<D> contactPoint(const Pair& pair, const Approach<D>& approach) const
     {
-        return position_[pair.first] + (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
+        const Vector<D>& x = position_[pair.first];
+        const Vector<D> centre = periodic_ && pair.second < 0 ? walls_.image(~pair.second, x) : x;
+        return centre + (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
     }
 
-    /// Is one of the pair part of a cluster?
+    /// Is one of the pair part of a cluster?  A member at the centre of mass is: it turns with the cluster's inertia.
     bool isOfCluster(const Pair& pair) const
     {
-        return !arm_.empty() &&
-               (!arm_[pair.first].isZero(0) || (pair.second >= 0 && !arm_[pair.second].isZero(0)));
+        return !ofCluster_.empty() && (ofCluster_[pair.first] || (pair.second >= 0 && ofCluster_[pair.second]));
     }
 
     bool hasClusters() const { return !arm_.empty(); }
@@ -168,6 +174,7 @@ private:
     Vectors<D> position_, arm_;
     std::vector<double> radius_;
     std::vector<int> material_;
+    std::vector<char> ofCluster_;   ///< of each member; empty without clusters
 };
 
 }  // namespace nscd

@@ -61,6 +61,16 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
     const Neighbours<D> neighbours(x, radii, watch.skin, watch.period);
     const int grainBlocks = static_cast<int>(memberBegin_.size()) - 1;
     std::vector<std::vector<Pair>> found(grainBlocks + 1);
+    const bool periodic = *std::max_element(watch.period.begin(), watch.period.end()) > 0;
+    const auto isListed = [periodic](const std::vector<Pair>& pairs, int i, int j)   // by another image
+    {
+        bool listed = false;
+        for (auto p = pairs.rbegin(); periodic && !listed && p != pairs.rend() && p->first == i; ++p)
+        {
+            listed = p->second == j;
+        }
+        return listed;
+    };
     for (int block = 0; block < grainBlocks; ++block)
     {
         if (blockRank_[block] != communicator.rank())
@@ -72,9 +82,10 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
             neighbours.forNear(i,
                                [&](int j)
                                {
-                                   if (j > i && body_[i] != body_[j])
+                                   std::vector<Pair>& pairs = found[blockOf_[j]];
+                                   if (j > i && body_[i] != body_[j] && !isListed(pairs, i, j))
                                    {
-                                       found[blockOf_[j]].push_back({i, j});
+                                       pairs.push_back({i, j});
                                    }
                                });
             watch.walls.forNear(x[i], radii[i] + watch.skin,

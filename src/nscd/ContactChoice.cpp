@@ -40,6 +40,17 @@ Tangent<D> inTangentPlane(const Tangent<D>& impulse, const Vector<D>& normal)
 }  // namespace
 
 template <int D>
+void ContactProblem<D>::clear()
+{
+    contacts_.clear();
+    levered_.clear();
+    origin_.clear();
+    leveredOrigin_.clear();
+    begin_.clear();
+    touchingBegin_.clear();
+}
+
+template <int D>
 void ContactProblem<D>::begin(const std::vector<Impulse<D>>& impulses, double dt)
 {
     dt_ = dt;
@@ -54,12 +65,7 @@ template <int D>
 void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<Impulse<D>>& impulses)
 {
     bodies.resize(candidates_.fixedBody() + 1);
-    contacts_.clear();
-    levered_.clear();
-    origin_.clear();
-    leveredOrigin_.clear();
-    begin_.clear();
-    touchingBegin_.clear();
+    clear();
     for (const Group& group : candidates_.groups())
     {
         begin_.push_back({contacts_.size(), levered_.size()});
@@ -240,6 +246,8 @@ double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
     return largest;
 }
 
+template void ContactProblem<2>::clear();
+template void ContactProblem<3>::clear();
 template void ContactProblem<2>::begin(const std::vector<Impulse<2>>&, double);
 template void ContactProblem<3>::begin(const std::vector<Impulse<3>>&, double);
 template void ContactProblem<2>::choose(std::vector<Body<2>>&, const std::vector<Impulse<2>>&);

@@ -53,7 +53,7 @@ struct StepReport
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
-    double contactWork = 0;       ///< of all contacts, with the mean of the velocities before and after [J]
+    double contactWork = 0;       ///< on grains and free walls, with the mean of the velocities before and after [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };
@@ -94,7 +94,8 @@ public:
     /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
 
-    /// Contacts of all ranks, in an order that does not depend on the number of ranks.  Collective.
+    /// Contacts of all ranks in the last step, in an order that does not depend on the number of ranks; none after
+    /// remove() or load().  Collective.
     std::vector<ContactForce<D>> contacts() const;
 
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].

@@ -49,6 +49,9 @@ public:
     {
     }
 
+    /// Be without contacts: the list of candidates is another one.
+    void clear();
+
     /// Start a sub-step with the impulses of the last one, scaled to dt.
     void begin(const std::vector<Impulse<D>>& impulses, double dt);
 

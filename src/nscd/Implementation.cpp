@@ -19,12 +19,13 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
                                                    Settings settings, MPI_Comm communicator,
                                                    std::vector<WallBody<D>> wallBodies)
     : grains_(std::move(grains)), walls_((validate<D>(walls, table, wallBodies), std::move(walls))),
-      table_((validate(table), std::move(table))), settings_(settings), communicator_(communicator),
+      table_((validate(table), std::move(table))), settings_((validate(settings), settings)),
+      communicator_(communicator),
       initialWallBodies_(std::move(wallBodies)), wallBodies_(initialWallBodies_),
       arrangement_(walls_, table_, settings.period)
 {
-    validate(settings_);
     validate(grains_, table_);
+    validate(settings_, grains_);
     contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
     measureGrains();

@@ -73,7 +73,7 @@ private:
     void separate(double dt, bool converged);
 
     void move(const FreeMotion& free, double dt, StepReport& report);
-    void moveWalls(double dt);
+    void moveWalls(double dt, StepReport& report);
 
     /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
     double wallDisplacement(double dt) const;

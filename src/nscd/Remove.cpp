@@ -74,6 +74,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(contactSpinImpulse_, gone);
 
     measureGrains();
+    problem_.clear();
     rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
     candidateWalls_ = wallBodies_;
     problem_.forget();

@@ -89,6 +89,24 @@ Spin<D> spinOf(const Grains<D>& grains, std::size_t i, const Orientation<D>& ori
     return inSpace(orientation, shapeInertia(grains, i).cwiseInverse()) * momentum / scale;
 }
 
+/// Angular momentum dot spin of a body with the given moments of inertia [J]; what cannot turn does not count.
+inline double product(const Orientation<2>&, const Spin<2>& inertia, const Spin<2>& a, const Spin<2>& b)
+{
+    return std::isfinite(inertia[0]) ? inertia[0] * a[0] * b[0] : 0;
+}
+
+inline double product(const Orientation<3>& orientation, const Spin<3>& inertia, const Spin<3>& a, const Spin<3>& b)
+{
+    const Eigen::Matrix3d toBody = orientation.toRotationMatrix().transpose();
+    const Vector<3> own = toBody * a, other = toBody * b;
+    double sum = 0;
+    for (int d = 0; d < 3; ++d)
+    {
+        sum += std::isfinite(inertia[d]) ? inertia[d] * own[d] * other[d] : 0;
+    }
+    return sum;
+}
+
 /// How a grain turns, for the contact problem.
 template <int D>
 Turning<D> turningOf(const Grains<D>& grains, std::size_t i)

@@ -16,8 +16,8 @@ namespace
 {
 
 template <int D>
-void checkState(const State<D>& state, const ContactTable& table, std::size_t walls, std::size_t wallBodies,
-                const std::string& file)
+void checkState(const State<D>& state, const ContactTable& table, const Settings& settings, std::size_t walls,
+                std::size_t wallBodies, const std::string& file)
 {
     if (state.wallBodies.size() != wallBodies || state.candidateWalls.size() != wallBodies)
     {
@@ -27,6 +27,7 @@ void checkState(const State<D>& state, const ContactTable& table, std::size_t wa
     try
     {
         validate(state.grains, table);
+        validate(settings, state.grains);
     }
     catch (const std::invalid_argument& error)
     {
@@ -112,7 +113,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
              [&]
              {
                  state = readState<D>(file);
-                 checkState(state, table_, walls_.size(), wallBodies_.size(), file);
+                 checkState(state, table_, settings_, walls_.size(), wallBodies_.size(), file);
              });
     grains_ = std::move(state.grains);
     contactImpulse_ = std::move(state.contactImpulse);
@@ -121,6 +122,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     lastSubStep_ = state.lastSubStep;
     measureGrains();
     restoreWalls(state);
+    problem_.clear();
     rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateSkin, state.impulses);
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
     StepReport report;

@@ -52,7 +52,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     lastSubStep_ = dt;
     separate(dt, converged);
     move(free, dt, report);
-    moveWalls(dt);
+    moveWalls(dt, report);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
                                double(problem_.active()), double(solves_)};
@@ -198,7 +198,7 @@ void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt,
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::moveWalls(double dt)
+void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report)
 {
     if (wallBodies_.empty())
     {
@@ -210,8 +210,14 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt)
         Vector<D> displacement = Vector<D>::Zero();
         if (isFree(wall))
         {
-            wall.velocity = bodies_[k].velocity;
-            wall.spin = toSpin(bodies_[k].surfaceSpeed);
+            const Vector<D>& velocity = bodies_[k].velocity;
+            const Spin<D> spin = toSpin(bodies_[k].surfaceSpeed);
+            const Vector<D> impulse = wall.mass * (velocity - wall.velocity) - dt * wall.force;
+            const Spin<D> kick = spin - wall.spin - dt * (data_.turning[k].inverse * wall.torque);
+            report.contactWork += 0.5 * impulse.dot(wall.velocity + velocity) +
+                                  0.5 * product(wall.orientation, wall.inertia, kick, wall.spin + spin);
+            wall.velocity = velocity;
+            wall.spin = spin;
             displacement = displacements_[k].velocity;
             ++k;
         }

@@ -5,10 +5,26 @@
 
 #include "nscd/Check.hpp"
 
+#include <limits>
 #include <string>
 
 namespace nscd
 {
+
+namespace
+{
+
+Eigen::Matrix<double, 1, 1> coefficients(const Orientation<2>& orientation)
+{
+    return Eigen::Matrix<double, 1, 1>(orientation.angle());
+}
+
+Eigen::Vector4d coefficients(const Orientation<3>& orientation)
+{
+    return orientation.coeffs();
+}
+
+}  // namespace
 
 void checkMaterial(int material, const ContactTable& table, const std::string& owner)
 {
@@ -64,6 +80,29 @@ void validate(const Grains<D>& grains, const ContactTable& table)
         checkPositive(grains.radius[i], "radius", "m");
         checkPositive(grains.mass[i], "mass", "kg");
         checkMaterial(grains.material[i], table, name);
+        checkFinite(isFinite(coefficients(grains.orientation[i])), "orientation");
+        if (grains.shape[i] < -1 || grains.shape[i] >= static_cast<int>(grains.clusters.size()))
+        {
+            refuse(name, ": shape ", grains.shape[i], " is neither -1 nor one of the ", grains.clusters.size(),
+                   " clusters");
+        }
+    }
+    for (std::size_t c = 0; c < grains.clusters.size(); ++c)
+    {
+        const Cluster<D>& cluster = grains.clusters[c];
+        bool sound = !cluster.centre.empty() && cluster.centre.size() == cluster.radius.size();
+        for (std::size_t m = 0; sound && m < cluster.radius.size(); ++m)
+        {
+            sound = isFinite(cluster.centre[m]) && isPositive(cluster.radius[m]);
+        }
+        for (int d = 0; sound && d < cluster.inertia.size(); ++d)
+        {
+            sound = isPositive(cluster.inertia[d]);
+        }
+        if (!sound)
+        {
+            refuse("cluster ", c, ": needs members with finite centres and positive radii, and positive moments");
+        }
     }
 }
 
@@ -85,6 +124,35 @@ void validate(const Settings& s)
     {
         refuse("settings: blocks ", s.blocks, " is not a power of two between 1 and 4096");
     }
+    for (const double period : s.period)
+    {
+        if (!std::isfinite(period) || period < 0)
+        {
+            refuse("settings: period ", period, " m is not a number >= 0");
+        }
+    }
+}
+
+template <int D>
+void validate(const Settings& settings, const Grains<D>& grains)
+{
+    double largestRadius = 0;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const std::vector<double> itself{1.0};
+        for (const double r : grains.shape[i] < 0 ? itself : grains.clusters[grains.shape[i]].radius)
+        {
+            largestRadius = std::max(largestRadius, r * grains.radius[i]);
+        }
+    }
+    for (const double period : settings.period)
+    {
+        if (period > 0 && period < 4 * largestRadius)
+        {
+            refuse("settings: period ", period, " m is less than four of the largest radii, ", largestRadius,
+                   " m: a grain could touch another one twice");
+        }
+    }
 }
 
 void validate(const ContactTable& table)
@@ -93,15 +161,28 @@ void validate(const ContactTable& table)
     {
         for (int b = a; b < table.materials(); ++b)
         {
-            if (!std::isfinite(table(a, b).friction) || table(a, b).friction < 0)
+            const auto check = [a, b](double value, double most, const char* name, const char* range)
             {
-                refuse("contact table: friction ", table(a, b).friction, " of materials ", a, " and ", b,
-                       " is not a number >= 0");
-            }
+                if (!std::isfinite(value) || value < 0 || value > most)
+                {
+                    refuse("contact table: ", name, " ", value, " of materials ", a, " and ", b, " is not a number ",
+                           range);
+                }
+            };
+            constexpr double any = std::numeric_limits<double>::max();
+            const ContactParameters& p = table(a, b);
+            check(p.friction, any, "friction", ">= 0");
+            check(p.restitution, 1, "restitution", "between 0 and 1");
+            check(p.rolling, any, "rolling", ">= 0");
+            check(p.cohesion, any, "cohesion", ">= 0");
+            check(p.tension, any, "tension", ">= 0");
+            check(p.cohesionDelay, any, "cohesionDelay", ">= 0");
         }
     }
 }
 
+template void validate<2>(const Settings&, const Grains<2>&);
+template void validate<3>(const Settings&, const Grains<3>&);
 template void validate<2>(const Grains<2>&, const ContactTable&);
 template void validate<3>(const Grains<3>&, const ContactTable&);
 

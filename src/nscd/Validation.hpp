@@ -25,6 +25,11 @@ template <int D>
 void checkSpin(const Walls<D>& walls, int body, const Spin<D>& spin);
 
 void validate(const Settings& settings);
+
+/// Is a periodic box wide enough for its grains?  Both must be valid on their own.
+template <int D>
+void validate(const Settings& settings, const Grains<D>& grains);
+
 void validate(const ContactTable& table);
 
 void checkMaterial(int material, const ContactTable& table, const std::string& owner);

@@ -30,7 +30,8 @@ const Plane* planeOf(const std::variant<Plane, Triangle>& wall)
 }  // namespace
 
 template <int D>
-WallContact<D>::WallContact(const Walls<D>& walls)
+WallContact<D>::WallContact(const Walls<D>& walls, const std::array<double, 3>& period)
+    : period_(period), periodic_(*std::max_element(period.begin(), period.end()) > 0)
 {
     std::vector<Facet<D>> facets;
     std::vector<int> facetBody;
@@ -77,8 +78,56 @@ std::vector<Bounds<D>> WallContact<D>::bounds(const std::vector<int>& facets) co
     for (const int facet : facets)
     {
         boxes.push_back(mesh_.bounds(facet));
+        Bounds<D>& box = boxes.back();
+        for (int d = 0; d < D; ++d)
+        {
+            if (period_[d] > 0)   // the image whose middle is in the box
+            {
+                const double shift = period_[d] * std::floor((box.lower[d] + box.upper[d]) / (2 * period_[d]));
+                box.lower[d] -= shift;
+                box.upper[d] -= shift;
+            }
+        }
     }
     return boxes;
+}
+
+template <int D>
+Vector<D> WallContact<D>::image(int wall, const Vector<D>& x) const
+{
+    return periodic_ && facetOf_[wall] >= 0 ? imageNearFacet(facetOf_[wall], x) : x;
+}
+
+template <int D>
+Vector<D> WallContact<D>::imageNearFacet(int facet, const Vector<D>& x) const
+{
+    const Bounds<D> box = mesh_.bounds(facet);
+    Vector<D> nearest = x;
+    for (int d = 0; d < D; ++d)
+    {
+        if (period_[d] > 0)
+        {
+            nearest[d] -= period_[d] * std::round((x[d] - (box.lower[d] + box.upper[d]) / 2) / period_[d]);
+        }
+    }
+    // A facet at an angle to the axes may be nearer to the image next to that
+    const auto squareOf = [&](const Vector<D>& y) { return (mesh_.nearest(facet, y).point - y).squaredNorm(); };
+    double shortest = squareOf(nearest);
+    for (int d = 0; d < D; ++d)
+    {
+        const Vector<D> middle = nearest;
+        for (const double shift : {-period_[d], period_[d]})
+        {
+            const Vector<D> other = middle + shift * Vector<D>::Unit(d);
+            const double square = shift != 0 ? squareOf(other) : shortest;
+            if (square < shortest)
+            {
+                shortest = square;
+                nearest = other;
+            }
+        }
+    }
+    return nearest;
 }
 
 template <int D>
@@ -91,7 +140,8 @@ template <int D>
 double WallContact<D>::distance(int wall, const Vector<D>& x) const
 {
     const int facet = facetOf_[wall];
-    return facet < 0 ? height(halfSpaces_[~facet], x) : (mesh_.nearest(facet, x).point - x).norm();
+    const Vector<D> near = image(wall, x);
+    return facet < 0 ? height(halfSpaces_[~facet], x) : (mesh_.nearest(facet, near).point - near).norm();
 }
 
 template <int D>
@@ -123,6 +173,12 @@ std::optional<Approach<D>> WallContact<D>::approach(int wall, const Vector<D>& c
         const HalfSpace& halfSpace = halfSpaces_[~facet];
         return Approach<D>{-halfSpace.normal, height(halfSpace, centre) - radius};
     }
+    return approachFacet(facet, periodic_ ? imageNearFacet(facet, centre) : centre, radius);
+}
+
+template <int D>
+std::optional<Approach<D>> WallContact<D>::approachFacet(int facet, const Vector<D>& centre, double radius) const
+{
     const Foot<D> foot = mesh_.nearest(facet, centre);
     if (foot.joint < 0)
     {

@@ -5,6 +5,8 @@
 
 #include "nscd/WallMesh.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
 namespace nscd
@@ -33,18 +35,25 @@ struct Approach
 /// The same holds where corners lie on the free edge of a neighbour.  An edge that stands in the middle of another
 /// facet is no joint: a grain that approaches it also has a contact with that edge, as long as the edge is the nearest
 /// point of its facet.  A grain that rolls from the walls of one body to those of another feels the edges between them.
+///
+/// In a periodic box a facet is met by the image of the grain that is nearest to it; a facet longer than the period
+/// must be parallel to its axis.  Facets that meet only across the
+/// period are not joined: a grain that rolls over their ends feels the edge, unless one facet spans the whole period.
 template <int D>
 class WallContact
 {
 public:
-    /// The walls must have passed validate().
-    explicit WallContact(const Walls<D>& walls);
+    /// The walls must have passed validate().  'period': lengths of the periodic box [m], 0 where it is not periodic.
+    explicit WallContact(const Walls<D>& walls, const std::array<double, 3>& period = {});
 
     /// Nothing when other facets speak for this one.
     std::optional<Approach<D>> approach(int wall, const Vector<D>& centre, double radius) const;
 
     /// Distance of a point to the nearest point of a wall [m]; negative inside a half space.
     double distance(int wall, const Vector<D>& x) const;
+
+    /// The periodic image of x that is nearest to a facet; half spaces have none.
+    Vector<D> image(int wall, const Vector<D>& x) const;
 
     /// Call f(wall) for every wall nearer to x than 'reach' [m], always in the same order.
     template <class F>
@@ -77,6 +86,11 @@ private:
 
     std::vector<Bounds<D>> bounds(const std::vector<int>& facets) const;
     double height(const HalfSpace& halfSpace, const Vector<D>& x) const;
+    Vector<D> imageNearFacet(int facet, const Vector<D>& x) const;
+    std::optional<Approach<D>> approachFacet(int facet, const Vector<D>& centre, double radius) const;
+
+    template <class F>
+    void forNearFacets(const Vector<D>& x, double reach, F&& f) const;
     Approach<D> approachPlane(int facet, const Vector<D>& centre, double radius) const;
     Approach<D> approachJoint(int facet, const Vector<D>& point, const Vector<D>& centre, double radius) const;
 
@@ -94,6 +108,8 @@ private:
     /// Does x lie above a facet, or above one to which a hollow leads from there?
     bool inHollow(int facet, const Vector<D>& x) const;
 
+    std::array<double, 3> period_;
+    bool periodic_;
     std::vector<int> body_;                ///< of each wall
     std::vector<int> facetOf_;             ///< of each wall; half space h: ~h
     std::vector<int> wallOf_;              ///< of each facet
@@ -114,18 +130,58 @@ void WallContact<D>::forNear(const Vector<D>& x, double reach, F&& f) const
             f(halfSpace.wall);
         }
     }
+    const auto isNear = [&](int facet, const Vector<D>& image)
+    { return (mesh_.nearest(facet, image).point - image).squaredNorm() < reach * reach; };
+    if (!periodic_)
+    {
+        forNearFacets(x, reach,
+                      [&](int facet)
+                      {
+                          if (isNear(facet, x))
+                          {
+                              f(wallOf_[facet]);
+                          }
+                      });
+        return;
+    }
+    std::vector<int> found;
+    Vectors<D> images{x};
+    for (int d = 0; d < D; ++d)
+    {
+        if (period_[d] > 0)
+        {
+            for (std::size_t own = images.size(), i = 0; i < own; ++i)
+            {
+                images[i][d] -= period_[d] * std::floor(images[i][d] / period_[d]);
+                images.insert(images.end(), 2, images[i]);
+                images[images.size() - 2][d] -= period_[d];
+                images.back()[d] += period_[d];
+            }
+        }
+    }
+    for (const Vector<D>& image : images)
+    {
+        forNearFacets(image, reach, [&](int facet) { found.push_back(facet); });
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const int facet : found)
+    {
+        if (isNear(facet, imageNearFacet(facet, x)))
+        {
+            f(wallOf_[facet]);
+        }
+    }
+}
+
+template <int D>
+template <class F>
+void WallContact<D>::forNearFacets(const Vector<D>& x, double reach, F&& f) const
+{
     const Vector<D> margin = Vector<D>::Constant(reach);
     for (const Search* search : {&fixed_, &moving_})
     {
-        search->tree.forMeeting({x - margin, x + margin},
-                                [&](int i)
-                                {
-                                    const int facet = search->facets[i];
-                                    if ((mesh_.nearest(facet, x).point - x).squaredNorm() < reach * reach)
-                                    {
-                                        f(wallOf_[facet]);
-                                    }
-                                });
+        search->tree.forMeeting({x - margin, x + margin}, [&](int i) { f(search->facets[i]); });
     }
 }
 

@@ -94,6 +94,41 @@ TEST(Friction, OutsideItsRangeIsRefused)
               "contact table: friction -0.1 of materials 0 and 1 is not a number >= 0");
 }
 
+TEST(ContactLaw, OutsideItsRangeIsRefused)
+{
+    const auto refused = [](double nscd::ContactParameters::*parameter, double value)
+    {
+        return refusal(
+            [&](Scene<2>& s)
+            {
+                nscd::ContactParameters law;
+                law.*parameter = value;
+                s.table.set(1, 1, law);
+            });
+    };
+    const std::string of = " of materials 1 and 1 is not a number ";
+    using P = nscd::ContactParameters;
+    EXPECT_EQ(refused(&P::restitution, 1.1), "contact table: restitution 1.1" + of + "between 0 and 1");
+    EXPECT_EQ(refused(&P::restitution, notANumber), "contact table: restitution nan" + of + "between 0 and 1");
+    EXPECT_EQ(refused(&P::rolling, -1), "contact table: rolling -1" + of + ">= 0");
+    EXPECT_EQ(refused(&P::cohesion, -2), "contact table: cohesion -2" + of + ">= 0");
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(refused(&P::tension, infinity), "contact table: tension inf" + of + ">= 0");
+    EXPECT_EQ(refused(&P::cohesionDelay, -3), "contact table: cohesionDelay -3" + of + ">= 0");
+}
+
+TEST(Clusters, ThatDoNotExistOrMakeNoSenseAreRefused)
+{
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.shape[1] = 0; }),
+              "grain 101: shape 0 is neither -1 nor one of the 0 clusters");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.shape[0] = -2; }),
+              "grain 100: shape -2 is neither -1 nor one of the 0 clusters");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.clusters.emplace_back(); }),
+              "cluster 0: needs members with finite centres and positive radii, and positive moments");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.grains.orientation[1].angle() = notANumber; }),
+              "grain 101: orientation is not finite");
+}
+
 TEST(Settings, WithoutSenseAreRefused)
 {
     EXPECT_EQ(refusal([](Scene<2>& s) { s.settings.tolerance = 0; }), "settings: tolerance 0 m is not positive");
@@ -102,6 +137,17 @@ TEST(Settings, WithoutSenseAreRefused)
               "settings: maxDisplacement -1 is not positive");
     EXPECT_EQ(refusal([](Scene<2>& s) { s.settings.blocks = 6; }),
               "settings: blocks 6 is not a power of two between 1 and 4096");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.settings.period[1] = -1; }), "settings: period -1 m is not a number >= 0");
+    EXPECT_EQ(refusal([](Scene<2>& s) { s.settings.period[0] = notANumber; }),
+              "settings: period nan m is not a number >= 0");
+    EXPECT_EQ(refusal(
+                  [](Scene<2>& s)
+                  {
+                      s.grains.radius[0] = 1;
+                      s.settings.period[0] = 3.9;
+                  }),
+              "settings: period 3.9 m is less than four of the largest radii, 1 m: a grain could touch another one "
+              "twice");
 }
 
 TEST(Step, WithWrongListsOrTimeStepIsRefused)

@@ -219,6 +219,101 @@ TYPED_TEST(MovingBody, GrainsCollideAcrossAPeriodicBoundary)
     EXPECT_NEAR(dynamics.grains().position[0][0] + 20 - dynamics.grains().position[1][0], 2, 1e-9);
 }
 
+TYPED_TEST(MovingBody, FloorOfAPeriodicBoxCarriesAGrainThatRollsOnForEver)
+{
+    constexpr int D = TestFixture::dimension;
+    for (const double drift : {0.0, 3.0})
+    {
+        Scene<D> scene(0.3);
+        scene.settings.period[0] = 10;
+        if constexpr (D == 2)
+        {
+            scene.walls.push_back({{0, 0}, {10, 0}, 1, 0});
+        }
+        else
+        {
+            addMovingFloor<3>(scene.walls);   // longer than the period
+        }
+        scene.add(up<D>() + 2 * nscd::Vector<D>::UnitX(), 30 * nscd::Vector<D>::UnitX());
+        auto dynamics = withBodies<D>(scene, {{}});
+        dynamics.setWallMotion(0, -drift * nscd::Vector<D>::UnitX(), nscd::Spin<D>::Zero());
+        for (int i = 0; i < 1500; ++i)
+        {
+            fall<D>(dynamics, up<D>(-g), 1e-2);
+            ASSERT_NEAR(dynamics.grains().position[0][D - 1], 1, 1e-9) << "step " << i;
+        }
+        const double k = nscd::inertiaFactor<D>;
+        EXPECT_NEAR(dynamics.grains().velocity[0][0], (30 - k * drift) / (1 + k), 0.02 * 30);
+        EXPECT_GT(dynamics.grains().position[0][0], 200);
+    }
+}
+
+TYPED_TEST(MovingBody, WallNearThePeriodicBoundaryIsMetFromTheOtherSide)
+{
+    constexpr int D = TestFixture::dimension;
+    Scene<D> scene;
+    scene.settings.period[0] = 10;
+    if constexpr (D == 2)
+    {
+        scene.walls.push_back({{9.5, -5}, {9.5, 5}, 1});
+    }
+    else
+    {
+        scene.walls.push_back(nscd::Triangle{{9.5, -9, -5}, {9.5, 9, -5}, {9.5, 0, 9}, 1});
+    }
+    scene.add(3 * nscd::Vector<D>::UnitX(), -nscd::Vector<D>::UnitX());
+    auto dynamics = scene.dynamics();
+    for (int i = 0; i < 400; ++i)
+    {
+        fall<D>(dynamics, nscd::Vector<D>::Zero(), 1e-2);
+    }
+    EXPECT_NEAR(dynamics.grains().position[0][0], 0.5, 1e-9);
+    EXPECT_NEAR(dynamics.grains().velocity[0].norm(), 0, 1e-9);
+}
+
+TYPED_TEST(MovingBody, ClusterStruckAtItsMiddleMemberTurnsWithItsOwnInertia)
+{
+    constexpr int D = TestFixture::dimension;
+    Scene<D> scene(0.3);
+    const nscd::Vector<D> x = nscd::Vector<D>::UnitX();
+    const nscd::Vector<D> none = nscd::Vector<D>::Zero();
+    scene.grains.clusters.push_back(nscd::makeCluster<D>({none, 1.5 * x, -1.5 * x}, {1, 1, 1}));
+    scene.add(none, none, 2.5);
+    scene.grains.shape[0] = 0;
+    scene.add(up<D>(2), 0.1 * x - up<D>());
+    auto dynamics = scene.dynamics();
+    fall<D>(dynamics, none, dt);
+    // At the contact, 1 m above the centre, the tangential impulse stops the slip of 0.1 m/s
+    const double inertia = 2.5 * 2.5 * scene.grains.clusters[0].inertia[D == 2 ? 0 : 1];
+    const double impulse = 0.1 / (1 + 1 / nscd::inertiaFactor<D> + 1 + 1 / inertia);
+    EXPECT_NEAR(dynamics.grains().velocity[0][0], impulse, 1e-9);
+    EXPECT_NEAR(std::abs(dynamics.grains().spin[0][D == 2 ? 0 : 1]), impulse / inertia, 1e-9);
+    EXPECT_NEAR(dynamics.grains().velocity[0][D - 1], -0.5, 1e-9);
+}
+
+TYPED_TEST(MovingBody, WorkOfContactsIsTheEnergyThatGrainsAndFreeWallsLose)
+{
+    constexpr int D = TestFixture::dimension;
+    Scene<D> scene(0.3);
+    scene.add(up<D>() + nscd::Vector<D>::UnitX(), 0.3 * nscd::Vector<D>::UnitX() - up<D>());
+    addMovingFloor<D>(scene.walls);
+    nscd::WallBody<D> plate;
+    plate.mass = 3;
+    plate.inertia = nscd::Spin<D>::Constant(5);
+    plate.velocity = up<D>(2);
+    auto dynamics = withBodies<D>(scene, {plate});
+    const auto energy = [&]
+    {
+        const auto& wall = dynamics.wallBodies()[0];
+        return kineticEnergy(dynamics.grains()) + 1.5 * wall.velocity.squaredNorm() + 2.5 * wall.spin.squaredNorm();
+    };
+    const double before = energy();
+    const auto report = fall<D>(dynamics, nscd::Vector<D>::Zero(), dt);
+    EXPECT_NEAR(report.contactWork, energy() - before, 1e-12);
+    EXPECT_LT(report.contactWork, -1);
+    EXPECT_GT(dynamics.wallBodies()[0].spin.norm(), 0.1);
+}
+
 TEST(FreeRotation, OfAClusterConservesAngularMomentumAndNearlyEnergy)
 {
     Scene<3> scene;

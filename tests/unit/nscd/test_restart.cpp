@@ -91,6 +91,24 @@ TEST(Restart, EqualsAnUninterruptedRunBitForBit)
     expectContinuationToBeExact<3>(5);
 }
 
+TEST(Restart, LeavesNoContactsOfTheGrainsBefore)
+{
+    auto many = agitated<2>(8, 0.4).dynamics();
+    Scene<2> one;
+    one.add({1, 1});
+    one.walls = agitated<2>(8, 0.4).walls;
+    const std::string file = path("one");
+    one.dynamics().save(file, 0);
+    for (int i = 0; i < 20; ++i)
+    {
+        fall<2>(many, up<2>(-g), 5e-3);
+    }
+    EXPECT_GT(many.contacts().size(), 5u);
+    many.load(file);
+    std::remove(file.c_str());
+    EXPECT_EQ(many.contacts().size(), 0u);
+}
+
 TEST(Restart, FileCanBeReadByNamesAndUnits)
 {
     const std::string file = path("names");

@@ -19,7 +19,7 @@ Foam::grainSources::dense<D>::dense
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(ctx),
+    grainSource<D>(dict, ctx),
     dict_(dict),
     box_(readBox(dict, ctx.space)),
     solidFraction_
@@ -30,10 +30,9 @@ Foam::grainSources::dense<D>::dense
     (
         sizeDistribution::New(dictionaryInput::subDict(dict, "distribution"))
     ),
-    seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0)),
     material_(ctx.materials.index(dict, "material"))
 {
-    this->checkKeywords(dict, {"box", "solidFraction", "distribution", "seed"});
+    this->checkKeywords(dict, {"box", "solidFraction", "distribution"});
 
     for (int d = 0; d < D; ++d)
     {
@@ -56,11 +55,11 @@ nscd::Grains<D> Foam::grainSources::dense<D>::read() const
     {
         const std::vector<double> radii = nscd::drawRadii<D>
         (
-            distribution_->sizes(D), box_, solidFraction_, seed_
+            distribution_->sizes(D), box_, solidFraction_, this->seed_
         );
         return this->grains
         (
-            nscd::densePacking<D>(box_, radii, seed_, periodic_),
+            nscd::densePacking<D>(box_, radii, this->seed_, periodic_),
             radii,
             material_
         );

@@ -11,16 +11,13 @@ namespace nscd
 namespace
 {
 
-template <int D>
-constexpr int turns = RigidBody<D>::turns;
-
 /// A body's linear and angular motion along the directions of a contact's frame.
 template <int D>
 struct Side
 {
     int contact;
-    Block<D> linear;                             ///< frame, with the sign of the body
-    Eigen::Matrix<double, D, turns<D>> angular;  ///< frame^T (spin -> velocity at the contact point)
+    Block<D> linear;                                               ///< frame, with the sign of the body
+    Eigen::Matrix<double, D, Spin<D>::RowsAtCompileTime> angular;  ///< frame^T (spin -> velocity at the contact point)
 };
 
 /// Velocity at the end of the arm per spin.
@@ -39,29 +36,11 @@ Eigen::Matrix<double, 3, 3> lever(const Vector<3>& arm)
 template <int D>
 Side<D> side(const RigidBody<D>& body, const ContactPoint<D>& c, int contact, double sign)
 {
-    const Block<D> directions = sign * contactFrame<D>(c.normal).transpose();
+    const Block<D> directions = sign * contactFrame(c.normal).transpose();
     return {contact, directions, directions * lever(Vector<D>(c.point - body.position))};
 }
 
 }  // namespace
-
-template <>
-Block<2> contactFrame<2>(const Vector<2>& n)
-{
-    Block<2> frame;
-    frame << n.x(), -n.y(), n.y(), n.x();
-    return frame;
-}
-
-template <>
-Block<3> contactFrame<3>(const Vector<3>& n)
-{
-    Block<3> frame;
-    frame.col(0) = n;
-    frame.col(1) = n.unitOrthogonal();
-    frame.col(2) = n.cross(frame.col(1));
-    return frame;
-}
 
 template <int D>
 SparseProblem<D> delassus(const std::vector<RigidBody<D>>& bodies, const std::vector<ContactPoint<D>>& contacts)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/LeveredContact.hpp"
 #include "nscd/SparseProblem.hpp"
 
 namespace nscd
@@ -12,13 +13,11 @@ namespace nscd
 template <int D>
 struct RigidBody
 {
-    static constexpr int turns = D == 2 ? 1 : 3;
-
-    Vector<D> position;                                  ///< centre of mass [m]
-    Vector<D> velocity;                                  ///< [m/s]
-    Spin<D> spin;                                        ///< [rad/s]
-    double inverseMass;                                  ///< 0: not moved by contacts [1/kg]
-    Eigen::Matrix<double, turns, turns> inverseInertia;  ///< in space, about the centre of mass [1/(kg m^2)]
+    Vector<D> position;            ///< centre of mass [m]
+    Vector<D> velocity;            ///< [m/s]
+    Spin<D> spin;                  ///< [rad/s]
+    double inverseMass;            ///< 0: not moved by contacts [1/kg]
+    SpinMatrix<D> inverseInertia;  ///< in space, about the centre of mass [1/(kg m^2)]
 };
 
 /// Where two bodies touch, or may within the step.
@@ -32,12 +31,8 @@ struct ContactPoint
     double friction;
 };
 
-/// Columns: the normal and the tangential directions; (n, (-n_y, n_x)) in 2-D, right-handed in 3-D.
-template <int D>
-Block<D> contactFrame(const Vector<D>& normal);
-
 /// The contact problem of rigid bodies, u = W r + q:  u is the velocity of the second body against the first at the
-/// contact point in the contact's frame, plus 'approach' along the normal;  W = H^T M^-1 H with the generalised
+/// contact point in contactFrame(normal), plus 'approach' along the normal;  W = H^T M^-1 H with the generalised
 /// directions H of the impulses r on the second body, and q = H^T v + approach.
 /// Throws std::invalid_argument for a contact of bodies that are not there or are all fixed.
 template <int D>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nscd
 {
@@ -14,6 +15,12 @@ namespace
 {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Newton's method squares the relative error of the last step.
+constexpr double newtonEnds = 1e-8;
+
+/// Bisection alone needs some 60.
+constexpr int mostIterations = 200;
 
 /// The contact without its normal direction: A r_T = u_T - slip, r_N = push - lever.r_T.
 template <int D>
@@ -65,7 +72,7 @@ struct Reduced
     double rounding;  ///< eigenvalues of A below this are taken for zero [1/kg]
 };
 
-Vector<2> solve(const Reduced<2>& c)
+Vector<2> solve(const Reduced<2>& c, const Vector<2>&)
 {
     using Tangential = Reduced<2>::Tangential;
     if (c.A(0, 0) > c.rounding)
@@ -79,16 +86,24 @@ Vector<2> solve(const Reduced<2>& c)
     return c.sliding(Tangential::Constant(c.slip[0] > 0 ? -1 : 1));
 }
 
-/// Solve M x = b for a regular M, by elimination with a pivot.
-Vector<2> eliminate(const Block<2>& M, const Vector<2>& b)
+/// A positive definite matrix of two rows, x.Mx > 0, after elimination; it needs no pivot.
+class Eliminated
 {
-    const int p = std::abs(M(0, 0)) >= std::abs(M(1, 0)) ? 0 : 1;
-    const double factor = M(1 - p, 0) / M(p, 0);
-    Vector<2> x;
-    x[1] = (b[1 - p] - factor * b[p]) / (M(1 - p, 1) - factor * M(p, 1));
-    x[0] = (b[p] - M(p, 1) * x[1]) / M(p, 0);
-    return x;
-}
+public:
+    explicit Eliminated(const Block<2>& M)
+        : above_(M(0, 1)), inverse_(1 / M(0, 0)), factor_(M(1, 0) * inverse_), other_(1 / (M(1, 1) - factor_ * above_))
+    {
+    }
+
+    Vector<2> solve(const Vector<2>& b) const
+    {
+        const double y = (b[1] - factor_ * b[0]) * other_;
+        return {(b[0] - above_ * y) * inverse_, y};
+    }
+
+private:
+    double above_, inverse_, factor_, other_;
+};
 
 /// The tangential impulses from none, t = 0, to the sticking one, t = 1,
 ///     [t A + (1 - t) a 1] r_T = -t slip,   that is u_T = -s r_T with s = a (1 - t)/t.
@@ -98,7 +113,8 @@ class Line
 public:
     explicit Line(const Reduced<3>& contact) : c_(contact), mean_(0.5 * c_.A.trace())
     {
-        const double spread = std::hypot(0.5 * (c_.A(0, 0) - c_.A(1, 1)), 0.5 * (c_.A(0, 1) + c_.A(1, 0)));
+        const double difference = 0.5 * (c_.A(0, 0) - c_.A(1, 1)), mixed = 0.5 * (c_.A(0, 1) + c_.A(1, 0));
+        const double spread = std::sqrt(difference * difference + mixed * mixed);
         smallest_ = mean_ - spread;
         a_ = mean_ > c_.rounding ? mean_ : std::abs(mean_) + spread + c_.rounding;
     }
@@ -109,16 +125,25 @@ public:
     /// How far the matrix is positive definite, t included.
     double end() const { return regular() ? 1 : (1 - 1e-13) * a_ / (a_ - std::min(smallest_, 0.0)); }
 
-    Vector<2> impulse(double t) const { return eliminate(matrix(t), -t * c_.slip); }
+    Vector<2> impulse(double t) const { return Eliminated(matrix(t)).solve(-t * c_.slip); }
 
     /// s |r_T|
     double slipSpeed(double t, const Vector<2>& impulse) const { return a_ * (1 - t) / t * impulse.norm(); }
 
-    /// d excess/dt
-    double slope(double t, const Vector<2>& impulse) const
+    /// Where on the line an impulse of about this slip would lie.
+    double near(const Vector<2>& impulse) const
     {
-        const Vector<2> change = -eliminate(matrix(t), c_.slip + c_.A * impulse - a_ * impulse);
-        return impulse.dot(change) / impulse.norm() + c_.mu * c_.lever.dot(change);
+        const double square = a_ * impulse.squaredNorm();
+        const double slipPower = impulse.dot(c_.slip + c_.A * impulse);
+        return slipPower < 0 ? square / (square - slipPower) : 1;
+    }
+
+    /// The impulse and its derivative.
+    std::pair<Vector<2>, Vector<2>> impulseAndSlope(double t) const
+    {
+        const Eliminated M(matrix(t));
+        const Vector<2> impulse = M.solve(-t * c_.slip);
+        return {impulse, M.solve(a_ * impulse - c_.A * impulse - c_.slip)};
     }
 
 private:
@@ -129,37 +154,40 @@ private:
 };
 
 /// The impulse on the line where the excess vanishes; it is negative at t = 0 and positive at 'upper'.
-Vector<2> slidingImpulse(const Reduced<3>& c, const Line& line, double upper, double upperExcess)
+Vector<2> slidingImpulse(const Reduced<3>& c, const Line& line, double upper, double upperExcess,
+                         const Vector<2>& guess)
 {
     double lower = 0;
     double before = upperExcess;
-    double t = upper * c.mu * c.push / (c.mu * c.push + upperExcess);
-    Vector<2> impulse = line.impulse(t);
-    for (int iteration = 0; iteration < 200; ++iteration)
+    double t = line.near(guess);
+    if (t <= 0 || t >= upper)
     {
-        const double excess = c.excess(impulse);
+        t = upper * c.mu * c.push / (c.mu * c.push + upperExcess);
+    }
+    for (int iteration = 0;; ++iteration)
+    {
+        const auto [impulse, change] = line.impulseAndSlope(t);
         const double length = impulse.norm();
-        if (std::abs(excess) <= 2 * epsilon * length || length == 0)
+        const double excess = length - c.mu * c.normal(impulse);
+        const double slope = length > 0 ? impulse.dot(change) / length + c.mu * c.lever.dot(change) : 0;
+        if (slope > 0 && std::abs(excess) <= newtonEnds * length)
         {
-            break;
+            return impulse - excess / slope * change;
         }
         (excess < 0 ? lower : upper) = t;
-        const double slope = line.slope(t, impulse);
         const bool converges = slope > 0 && std::abs(excess) < 0.5 * std::abs(before);
         const double newton = converges ? t - excess / slope : upper;
         const double next = newton > lower && newton < upper ? newton : 0.5 * (lower + upper);
-        if (next <= lower || next >= upper)
+        if (next <= lower || next >= upper || iteration == mostIterations)
         {
-            break;
+            return impulse;
         }
         t = next;
         before = excess;
-        impulse = line.impulse(t);
     }
-    return impulse;
 }
 
-Vector<3> solve(const Reduced<3>& c)
+Vector<3> solve(const Reduced<3>& c, const Vector<3>& guess)
 {
     const Line line(c);
     const double end = line.end();
@@ -171,7 +199,7 @@ Vector<3> solve(const Reduced<3>& c)
         const bool sticks = line.regular() || line.slipSpeed(end, stick) <= 1e-12 * c.slip.norm();
         return sticks ? c.impulse(stick) : c.withoutFriction();
     }
-    const Vector<2> impulse = slidingImpulse(c, line, end, excess);
+    const Vector<2> impulse = slidingImpulse(c, line, end, excess, guess.tail<2>());
     const double length = impulse.norm();
     return length > 0 ? c.sliding(impulse / length) : c.withoutFriction();
 }
@@ -179,17 +207,17 @@ Vector<3> solve(const Reduced<3>& c)
 }  // namespace
 
 template <int D>
-Vector<D> solveLocal(const Block<D>& W, const Vector<D>& q, double mu)
+Vector<D> solveLocal(const Block<D>& W, const Vector<D>& q, double mu, const Vector<D>& guess)
 {
     if (q[0] >= 0)
     {
         return Vector<D>::Zero();
     }
     const Reduced<D> contact(W, q, mu);
-    return mu > 0 && contact.slip.norm() > 0 ? solve(contact) : contact.withoutFriction();
+    return mu > 0 && contact.slip.norm() > 0 ? solve(contact, guess) : contact.withoutFriction();
 }
 
-template Vector<2> solveLocal<2>(const Block<2>&, const Vector<2>&, double);
-template Vector<3> solveLocal<3>(const Block<3>&, const Vector<3>&, double);
+template Vector<2> solveLocal<2>(const Block<2>&, const Vector<2>&, double, const Vector<2>&);
+template Vector<3> solveLocal<3>(const Block<3>&, const Vector<3>&, double, const Vector<3>&);
 
 }  // namespace nscd

@@ -28,11 +28,12 @@ using Block = Eigen::Matrix<double, D, D>;
 ///
 /// sticking is u_T = 0 and sliding u_T = -s r_T with the s > 0 for which |r_T| = mu r_N.  In 2-D r_T has the sign of
 /// -b (Henry 2025, eq. 2.38-2.41, with the signs of 2.39 and 2.40 exchanged).  In 3-D Newton's method, kept between
-/// bounds, finds s; it is one step when A is a multiple of the identity.
+/// bounds, finds s; it is one step when A is a multiple of the identity.  It starts from the guess, e.g. the impulse
+/// of the last sweep, which changes the time it takes but, where there is one solution, not the result.
 template <int D>
-Vector<D> solveLocal(const Block<D>& W, const Vector<D>& q, double mu);
+Vector<D> solveLocal(const Block<D>& W, const Vector<D>& q, double mu, const Vector<D>& guess = Vector<D>::Zero());
 
-extern template Vector<2> solveLocal<2>(const Block<2>&, const Vector<2>&, double);
-extern template Vector<3> solveLocal<3>(const Block<3>&, const Vector<3>&, double);
+extern template Vector<2> solveLocal<2>(const Block<2>&, const Vector<2>&, double, const Vector<2>&);
+extern template Vector<3> solveLocal<3>(const Block<3>&, const Vector<3>&, double, const Vector<3>&);
 
 }  // namespace nscd

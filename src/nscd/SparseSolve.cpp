@@ -150,7 +150,7 @@ private:
     Vector<D> improve(int c, const Vector<D>& u)
     {
         const Vector<D> before = r_[c];
-        r_[c] = solveLocal<D>(p_.own(c), u - p_.own(c) * before, p_.friction()[c]);
+        r_[c] = solveLocal<D>(p_.own(c), u - p_.own(c) * before, p_.friction()[c], before);
         return r_[c] - before;
     }
 

@@ -18,8 +18,8 @@ struct Bodies
 
     static nscd::RigidBody<D> body(const nscd::Vector<D>& x, double inverseMass, double inverseInertia)
     {
-        using Inertia = decltype(nscd::RigidBody<D>::inverseInertia);
-        return {x, nscd::Vector<D>::Zero(), nscd::Spin<D>::Zero(), inverseMass, inverseInertia * Inertia::Identity()};
+        return {x, nscd::Vector<D>::Zero(), nscd::Spin<D>::Zero(), inverseMass,
+                inverseInertia * nscd::SpinMatrix<D>::Identity()};
     }
 
     /// A solid disc or sphere; returns its number.

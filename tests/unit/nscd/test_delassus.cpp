@@ -31,7 +31,7 @@ Bodies<D> randomBodies(nscd::Random& numbers)
     {
         b.addGrain(random<nscd::Vector<D>>(numbers), 1, numbers.uniform(0.5, 2));
         auto& body = b.bodies.back();
-        const auto root = random<decltype(body.inverseInertia)>(numbers);
+        const auto root = random<nscd::SpinMatrix<D>>(numbers);
         body.inverseInertia += root * root.transpose();
         body.velocity = random<nscd::Vector<D>>(numbers);
         body.spin = random<nscd::Spin<D>>(numbers);
@@ -88,7 +88,7 @@ TYPED_TEST(Delassus, FrameIsARotationThatBeginsWithTheNormal)
     for (int i = 0; i < 100; ++i)
     {
         const auto n = random<nscd::Vector<D>>(numbers).normalized();
-        const nscd::Block<D> frame = nscd::contactFrame<D>(n);
+        const nscd::Block<D> frame = nscd::contactFrame(n);
         EXPECT_EQ(frame.col(0), n);
         EXPECT_TRUE(frame.isUnitary(1e-14));
         EXPECT_NEAR(frame.determinant(), 1, 1e-14);
@@ -106,7 +106,7 @@ TYPED_TEST(Delassus, GivesTheRelativeVelocitiesAfterTheImpulses)
     for (const auto& c : b.contacts)
     {
         r.push_back(random<nscd::Vector<D>>(numbers));
-        const nscd::Vector<D> impulse = nscd::contactFrame<D>(c.normal) * r.back();
+        const nscd::Vector<D> impulse = nscd::contactFrame(c.normal) * r.back();
         for (const auto& [i, sign] : {std::pair(c.first, -1.0), std::pair(c.second, 1.0)})
         {
             auto& body = bodies[i];
@@ -126,7 +126,7 @@ TYPED_TEST(Delassus, GivesTheRelativeVelocitiesAfterTheImpulses)
         const auto& c = b.contacts[k];
         const nscd::Vector<D> relative = velocityAt(bodies[c.second], c.point) - velocityAt(bodies[c.first], c.point);
         const nscd::Vector<D> expected =
-            nscd::contactFrame<D>(c.normal).transpose() * relative + c.approach * nscd::Vector<D>::Unit(0);
+            nscd::contactFrame(c.normal).transpose() * relative + c.approach * nscd::Vector<D>::Unit(0);
         EXPECT_LE((u[k] - expected).norm(), 1e-12);
     }
 }

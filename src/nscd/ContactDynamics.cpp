@@ -72,6 +72,12 @@ std::vector<ContactForce<D>> ContactDynamics<D>::contacts() const
 }
 
 template <int D>
+void ContactDynamics<D>::dumpContactProblem(const std::string& file) const
+{
+    implementation_->dumpContactProblem(file);
+}
+
+template <int D>
 const Vectors<D>& ContactDynamics<D>::contactImpulse() const
 {
     return implementation_->contactImpulse();

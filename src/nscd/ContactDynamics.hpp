@@ -98,6 +98,11 @@ public:
     /// remove() or load().  Collective.
     std::vector<ContactForce<D>> contacts() const;
 
+    /// Write the contact problem of the last sub-step and the impulses that were found for it in FCLIB's local form
+    /// (see Fclib.hpp), for comparison with other solvers.  Rolling moments and attractions are part of its q.
+    /// Written by rank 0; collective.  Throws std::runtime_error.
+    void dumpContactProblem(const std::string& file) const;
+
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
     void setTemperature(std::vector<double> temperature);
 

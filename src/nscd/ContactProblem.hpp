@@ -36,6 +36,17 @@ struct Change
     }
 };
 
+/// A contact as other solvers want it; arms are over the bodies' lengths.
+template <int D>
+struct SolvedContact
+{
+    int first, second;        ///< bodies; second < 0: a wall that is not free
+    Vector<D> normal, armI, armJ;
+    double approachLimit, friction;
+    Vector<D> impulse;        ///< in the frame [N s]
+    Vector<D> wallVelocity;   ///< [m/s]
+};
+
 /// This rank's share of the contact problem of one sub-step of length dt.
 /// Bodies are in solver order; then comes one that stands for the fixed walls and, as contacts need them, one for the
 /// point of contact of each moving wall.
@@ -98,6 +109,9 @@ public:
 
     /// No contacts, until the next choice: the candidates they were chosen from are no more.
     void forget() { begin_.clear(); }
+
+    /// This rank's contacts; the velocities are those of the bodies that walls stand for.
+    std::vector<SolvedContact<D>> solvedContacts(const std::vector<Body<D>>& bodies) const;
 
     std::size_t contacts() const { return contacts_.size() + levered_.size(); }
     std::size_t active() const;

@@ -33,11 +33,18 @@ Eigen::Matrix<double, 3, 3> lever(const Vector<3>& arm)
     return m;
 }
 
+/// Only the second body, whose sign is positive, is an image.
 template <int D>
-Side<D> side(const RigidBody<D>& body, const ContactPoint<D>& c, int contact, double sign)
+Vector<D> shiftOf(const ContactPoint<D>& c, double sign)
+{
+    return sign > 0 ? c.shift : Vector<D>::Zero();
+}
+
+template <int D>
+Side<D> side(const RigidBody<D>& body, const Vector<D>& shift, const ContactPoint<D>& c, int contact, double sign)
 {
     const Block<D> directions = sign * contactFrame(c.normal).transpose();
-    return {contact, directions, directions * lever(Vector<D>(c.point - body.position))};
+    return {contact, directions, directions * lever(Vector<D>(c.point - body.position - shift))};
 }
 
 }  // namespace
@@ -60,7 +67,7 @@ SparseProblem<D> delassus(const std::vector<RigidBody<D>>& bodies, const std::ve
         friction.push_back(c.friction);
         for (const auto& [b, sign] : {std::pair(c.first, -1.0), std::pair(c.second, 1.0)})
         {
-            const Side<D> s = side<D>(bodies[b], c, static_cast<int>(k), sign);
+            const Side<D> s = side<D>(bodies[b], shiftOf(c, sign), c, static_cast<int>(k), sign);
             q.back() += s.linear * bodies[b].velocity + s.angular * bodies[b].spin;
             sides[b].push_back(s);
         }
@@ -102,7 +109,7 @@ std::vector<RigidBody<D>> withImpulses(std::vector<RigidBody<D>> bodies, const s
         for (const auto& [b, sign] : {std::pair(c.first, -1.0), std::pair(c.second, 1.0)})
         {
             RigidBody<D>& body = bodies[b];
-            const Side<D> s = side<D>(body, c, static_cast<int>(k), sign);
+            const Side<D> s = side<D>(body, shiftOf(c, sign), c, static_cast<int>(k), sign);
             body.velocity += body.inverseMass * s.linear.transpose() * r[k];
             body.spin += body.inverseInertia * s.angular.transpose() * r[k];
         }

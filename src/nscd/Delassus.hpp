@@ -29,6 +29,9 @@ struct ContactPoint
     Vector<D> normal;   ///< unit vector from the first body to the second
     double approach;    ///< normal velocity that they may keep: gap over time step [m/s]
     double friction;
+
+    /// Displacement of the second body's periodic image [m].
+    Vector<D> shift = Vector<D>::Zero();
 };
 
 /// The contact problem of rigid bodies, u = W r + q:  u is the velocity of the second body against the first at the

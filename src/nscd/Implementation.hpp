@@ -31,6 +31,7 @@ public:
     void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
     std::vector<ContactForce<D>> contacts() const;
+    void dumpContactProblem(const std::string& file) const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
     void remove(const std::vector<bool>& gone);

@@ -3,7 +3,7 @@
 
 // A pile at rest must stay at rest: drift of its centre of mass, overlaps, energy.
 //
-//     benchRest [discs|spheres] [steps] [sweeps] [grains] [steps to settle]
+//     benchRest [discs|spheres] [steps] [sweeps] [tolerance/d] [grains] [steps to settle]
 
 #include "nscd/ContactDynamics.hpp"
 #include "nscd/Packing.hpp"
@@ -21,7 +21,7 @@ constexpr double density = 1500, g = 9.81, r = 1.5e-3, d = 2 * r;
 
 /// Grains between 0.9 and 1 of r on a loose lattice in a box a hundred discs or 20 spheres wide.
 template <int D>
-nscd::ContactDynamics<D> loose(std::size_t count, int sweeps)
+nscd::ContactDynamics<D> loose(std::size_t count, int sweeps, double tolerance)
 {
     nscd::Random random(1);
     nscd::Box<D> box;
@@ -58,10 +58,11 @@ nscd::ContactDynamics<D> loose(std::size_t count, int sweeps)
     table.set(0, 0, {0.3});
     nscd::Settings settings;
     settings.maxSweeps = sweeps;
+    settings.tolerance = tolerance * d;
     return {std::move(grains), walls, table, settings};
 }
 
-/// Height of the centre of mass [m] and kinetic energy of the mean grain [J].
+/// Height of the centre of mass [m] and kinetic energy [J].
 template <int D>
 std::pair<double, double> measure(const nscd::Grains<D>& grains)
 {
@@ -73,54 +74,79 @@ std::pair<double, double> measure(const nscd::Grains<D>& grains)
         moment += grains.mass[i] * grains.position[i][D - 1];
         energy += 0.5 * grains.mass[i] * (grains.velocity[i].squaredNorm() + nscd::inertiaFactor<D> * surface);
     }
-    return {moment / mass, energy / static_cast<double>(grains.size())};
+    return {moment / mass, energy};
 }
 
+/// Work of the contacts with the mean of the velocities before and after the step [J].
 template <int D>
-void run(int steps, int sweeps, std::size_t count, int settling)
+double meanWork(const nscd::ContactDynamics<D>& dynamics, const nscd::Grains<D>& before)
+{
+    double work = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+        const nscd::Grains<D>& now = dynamics.grains();
+        work += 0.5 * dynamics.contactImpulse()[i].dot(before.velocity[i] + now.velocity[i]) +
+                0.5 * dynamics.contactSpinImpulse()[i].dot(before.spin[i] + now.spin[i]);
+    }
+    return work;
+}
+
+/// Largest values between two lines of the table; energies are over the weight of all grains times the height of
+/// their centre of mass.
+struct Worst
+{
+    double rise = 0, overlap = 0, work = -1, meanWork = -1, gain = -1;
+    int sweeps = 0, unconverged = 0;
+};
+
+template <int D>
+void run(int steps, int sweeps, double tolerance, std::size_t count, int settling)
 {
     const double dt = D == 2 ? 1e-3 : 5e-4;
-    nscd::ContactDynamics<D> dynamics = loose<D>(count, sweeps);
-    nscd::Vectors<D> weight;
-    double meanMass = 0;
+    nscd::ContactDynamics<D> dynamics = loose<D>(count, sweeps, tolerance);
+    nscd::Vectors<D> force;
+    double weight = 0;
     for (const double m : dynamics.grains().mass)
     {
-        weight.push_back(-g * m * nscd::Vector<D>::Unit(D - 1));
-        meanMass += m / static_cast<double>(dynamics.grains().size());
+        force.push_back(-g * m * nscd::Vector<D>::Unit(D - 1));
+        weight += g * m;
     }
-    const nscd::Spins<D> noTorque(weight.size(), nscd::Spin<D>::Zero());
+    const nscd::Spins<D> noTorque(force.size(), nscd::Spin<D>::Zero());
     for (int step = 0; step < settling; ++step)
     {
-        dynamics.step(weight, noTorque, dt);
+        dynamics.step(force, noTorque, dt);
     }
 
-    const double unit = meanMass * g * d;   // lifts a grain by its diameter
-    std::printf("%zu grains, dt %g s, at most %d sweeps, %d steps after %d to settle\n", weight.size(), dt, sweeps,
-                steps, settling);
-    std::printf("%6s %7s %11s %11s %11s %11s %11s %11s %11s\n", "step", "sweeps", "rise/d", "most/step", "worst/d",
-                "mean/d", "vmax/(g dt)", "KE/(mgd)", "gain/(mgd)");
-    auto [height, energy] = measure(dynamics.grains());
+    std::printf("%zu grains, dt %g s, at most %d sweeps, tolerance %g d, %d steps after %d to settle\n", force.size(),
+                dt, sweeps, tolerance, steps, settling);
+    std::printf("%6s %6s %5s %9s %9s %9s %9s %9s %9s %9s %9s\n", "step", "sweeps", "capped", "rise/d", "most/step",
+                "worst/d", "mean/d", "KE", "work", "meanWork", "gain");
+    auto [height, kinetic] = measure(dynamics.grains());
     const double start = height;
-    double fastest = 0, gain = 0, worst = 0;
-    int sweepsDone = 0;
+    Worst most;
     for (int step = 1; step <= steps; ++step)
     {
-        const nscd::StepReport report = dynamics.step(weight, noTorque, dt);
-        const auto [nextHeight, nextEnergy] = measure(dynamics.grains());
-        fastest = std::max(fastest, std::abs(nextHeight - height) / d);
-        gain = std::max(gain, (nextEnergy - energy) / unit + (nextHeight - height) / d);
-        worst = std::max(worst, report.worstOverlap / d);
+        const nscd::Grains<D> before = dynamics.grains();
+        const nscd::StepReport report = dynamics.step(force, noTorque, dt);
+        const auto [nextHeight, nextKinetic] = measure(dynamics.grains());
+        const double energy = weight * height;
+        most.rise = std::max(most.rise, std::abs(nextHeight - height) / d);
+        most.overlap = std::max(most.overlap, report.worstOverlap / d);
+        most.work = std::max(most.work, report.contactWork / energy);
+        most.meanWork = std::max(most.meanWork, meanWork(dynamics, before) / energy);
+        most.gain = std::max(most.gain, (nextKinetic - kinetic + weight * (nextHeight - height)) / energy);
+        most.sweeps += report.sweeps;
+        most.unconverged += !report.converged;
         height = nextHeight;
-        energy = nextEnergy;
-        sweepsDone += report.sweeps;
-        if (step % std::max(1, steps / 10) == 0)
+        kinetic = nextKinetic;
+        const int line = std::max(1, steps / 10);
+        if (step % line == 0)
         {
-            std::printf("%6d %7.1f %11.2e %11.2e %11.2e %11.2e %11.2e %11.2e %11.2e\n", step,
-                        sweepsDone / std::max(1.0, steps / 10.0), (height - start) / d, fastest, worst,
-                        report.meanOverlap / d, report.maxVelocity / (g * dt), energy / unit, gain);
+            std::printf("%6d %6.1f %5d %9.1e %9.1e %9.1e %9.1e %9.1e %9.1e %9.1e %9.1e\n", step,
+                        static_cast<double>(most.sweeps) / line, most.unconverged, (height - start) / d, most.rise,
+                        most.overlap, report.meanOverlap / d, kinetic / energy, most.work, most.meanWork, most.gain);
             std::fflush(stdout);
-            fastest = gain = worst = 0;
-            sweepsDone = 0;
+            most = {};
         }
     }
 }
@@ -132,10 +158,11 @@ int main(int argc, char** argv)
     MPI_Init(&argc, &argv);
     const bool spheres = argc > 1 && std::string(argv[1]) == "spheres";
     const int steps = argc > 2 ? std::atoi(argv[2]) : 10000;
-    const int sweeps = argc > 3 ? std::atoi(argv[3]) : 30;
-    const std::size_t count = argc > 4 ? std::strtoul(argv[4], nullptr, 10) : 10000;
-    const int settling = argc > 5 ? std::atoi(argv[5]) : 2000;
-    (spheres ? run<3> : run<2>)(steps, sweeps, count, settling);
+    const int sweeps = argc > 3 ? std::atoi(argv[3]) : 200;
+    const double tolerance = argc > 4 ? std::atof(argv[4]) : 3e-7;
+    const std::size_t count = argc > 5 ? std::strtoul(argv[5], nullptr, 10) : 10000;
+    const int settling = argc > 6 ? std::atoi(argv[6]) : 2000;
+    (spheres ? run<3> : run<2>)(steps, sweeps, tolerance, count, settling);
     MPI_Finalize();
     return 0;
 }

@@ -53,7 +53,8 @@ struct StepReport
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
-    double contactWork = 0;       ///< on grains and free walls, with the mean of the velocities before and after [J]
+    double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
+                                  ///< would have moved; never positive without restitution or moving walls [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };

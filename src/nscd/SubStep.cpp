@@ -186,8 +186,8 @@ void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt,
             grains_.radius[i];
         const Spin<D> spinImpulse = angularMomentum<D>(grains_, i, spinChange);
         const Spin<D> spin = free.spin[i] + spinChange;
-        report.contactWork += 0.5 * impulse.dot(grains_.velocity[i] + bodies_[k].velocity) +
-                              0.5 * spinImpulse.dot(grains_.spin[i] + spin);
+        report.contactWork += 0.5 * impulse.dot(free.velocity[i] + bodies_[k].velocity) +
+                              0.5 * spinImpulse.dot(free.spin[i] + spin);
         contactImpulse_[i] += impulse;
         contactSpinImpulse_[i] += spinImpulse;
         grains_.velocity[i] = bodies_[k].velocity;
@@ -212,10 +212,11 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report
         {
             const Vector<D>& velocity = bodies_[k].velocity;
             const Spin<D> spin = toSpin(bodies_[k].surfaceSpeed);
-            const Vector<D> impulse = wall.mass * (velocity - wall.velocity) - dt * wall.force;
-            const Spin<D> kick = spin - wall.spin - dt * (data_.turning[k].inverse * wall.torque);
-            report.contactWork += 0.5 * impulse.dot(wall.velocity + velocity) +
-                                  0.5 * product(wall.orientation, wall.inertia, kick, wall.spin + spin);
+            const Vector<D> freeVelocity = wall.velocity + dt / wall.mass * wall.force;
+            const Spin<D> freeSpin = wall.spin + dt * (data_.turning[k].inverse * wall.torque);
+            report.contactWork +=
+                0.5 * wall.mass * (velocity - freeVelocity).dot(freeVelocity + velocity) +
+                0.5 * product(wall.orientation, wall.inertia, Spin<D>(spin - freeSpin), Spin<D>(freeSpin + spin));
             wall.velocity = velocity;
             wall.spin = spin;
             displacement = displacements_[k].velocity;

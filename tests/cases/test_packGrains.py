@@ -99,6 +99,19 @@ def test_dense(clone):
     assert np.array_equal(again, centres)
 
 
+def test_several_sources_fill_their_boxes(clone):
+    coarse = "type lattice; box (0 0 0) (0.05 0.1 0); radius 2e-3; material glass;"
+    fine = "type lattice; box (0.05 0 0) (0.1 0.1 0); radius 1e-3; material steel;"
+    several = f"type several; sources {{ coarse {{ {coarse} }} fine {{ {fine} }} }}"
+    case, centres, radii = pack(clone, several)
+    first = radii == 2e-3
+    assert np.array_equal(first, np.arange(12 * 25 + 25 * 50) < 12 * 25)
+    assert np.array_equal(first, centres[:, 0] < 0.05)
+    csv = case.path / "constant/grains.csv"
+    table = np.genfromtxt(csv, delimiter=",", names=True, dtype=None, encoding="ascii")
+    assert np.array_equal(table["material"], np.where(first, "glass", "steel"))
+
+
 def test_dense_follows_a_sieve_curve(clone):
     curve = "distribution { type sieve; by mass; passing ((1e-3 0) (2e-3 0.3) (3e-3 1)); }"
     _, centres, radii = pack(clone, DENSE.replace(UNIFORM, curve).replace("0.82", "0.8"))
@@ -200,6 +213,7 @@ BAD = [
         f"type hexagonal; {BOX} radius 1; material glass;",
         ["'radius'", "fits into 'box'"],
     ),
+    ("noSource", "type several; sources {}", ["'sources'", "at least one sub-dictionary"]),
     ("type", f"type heap; {BOX}", ["'type'", "heap", "lattice", "randomFill", "settled"]),
     ("typo", f"{FILL} sede 1;", ["sede", "seed"]),
     ("spacing", f"type lattice; {BOX} radius 1e-3; spacing 1e-3; material glass;", ["'spacing'"]),

@@ -113,6 +113,30 @@ def read_grains(case, time):
         return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
 
 
+def read_members(case, time):
+    """Discs that the grains of <time>/grains.h5 consist of, members of a cluster or the grain:
+    position (n, 2), radius (n,), grain: index of the grain (n,)."""
+    grains = read_grains(case, time)
+    with h5py.File(Path(case) / str(time) / "grains.h5") as file:
+        count, centre, radius = (file[f"clusters/{k}"][()] for k in ("members", "centre", "radius"))
+    # A single disc, shape -1, is the last one
+    first = np.append(np.cumsum(count) - count.ravel(), len(radius))
+    count = np.append(count, 1)
+    centre, radius = np.append(centre, [[0, 0]], axis=0), np.append(radius, 1.0)
+
+    n = count[grains["shape"]]
+    grain = np.repeat(np.arange(len(n)), n)
+    within = np.arange(len(grain)) - np.repeat(np.cumsum(n) - n, n)
+    member = first[grains["shape"]][grain] + within
+    size, angle = grains["radius"][grain], grains["orientation"].ravel()[grain]
+    x, y = size * centre[member].T
+    turned = np.column_stack(
+        [np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y]
+    )
+    position = grains["position"][grain] + turned
+    return {"position": position, "radius": size * radius[member], "grain": grain}
+
+
 def read_contacts(case, name, time):
     """Lines [(n, 2), ...] and normal forces [N] that a function object contactNetwork wrote."""
     text = (Path(case) / "postProcessing" / name / f"contacts_{time}.vtk").read_text()

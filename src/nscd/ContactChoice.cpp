@@ -116,7 +116,8 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
     }
     const WallBody<D>& wall = wallBodies_[wallBody];
     const Vector<D> arm = arrangement_.contactPoint(pair, approach) - wall.position;
-    bodies.push_back({wallVelocity(wallBody, arm), toTangent(wall.spin), 0});
+    // The velocity is that at the contact: only resistance to rolling asks for the spin besides
+    bodies.push_back({wallVelocity(wallBody, arm), isLevered(pair) ? toTangent(wall.spin) : zeroTangent<D>(), 0});
     return static_cast<int>(bodies.size()) - 1;
 }
 

@@ -3,6 +3,9 @@
 
 #include "overlap/DiscPolygon.hpp"
 
+#include "overlap/AngleSum.hpp"
+#include "overlap/CircleEdge.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,79 +15,19 @@ namespace overlap
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
-double cross(const Point2& a, const Point2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Sum of signed angles, each in (-pi, pi): one complex product and the number of times its argument passed pi.
-class AngleSum
-{
-public:
-    /// Add the angle whose cosine and sine are in the ratio cosine : sine.
-    void add(double cosine, double sine)
-    {
-        const double re = re_ * cosine - im_ * sine;
-        const double im = re_ * sine + im_ * cosine;
-        if (im_ >= 0 && sine > 0 && im < 0) ++turns_;
-        if (im_ < 0 && sine < 0 && im >= 0) --turns_;
-        re_ = re;
-        im_ = im;
-
-        if (std::abs(re_) + std::abs(im_) > 1e100)
-        {
-            re_ *= 1e-100;
-            im_ *= 1e-100;
-        }
-    }
-
-    double value() const { return std::atan2(im_, re_) + 2 * pi * turns_; }
-
-private:
-    double re_ = 1, im_ = 0;
-    int turns_ = 0;
-};
-
-/// Line integrals along the boundary of (polygon within the unit disc).
-///
-/// Every term of an edge is, bit for bit, the same number with the opposite sign for the cell on its other side;
-/// lengths along an edge are measured from the point of its line that is nearest to the centre, which keeps the
-/// digits of cells much larger than the disc.
+/// Line integrals along the boundary of (polygon within the unit disc).  Every term of an edge is, bit for bit, the
+/// same number with the opposite sign for the cell on its other side.
 class UnitDiscIntegrals
 {
 public:
-    /// Add the edge p -> q; bp and bq are 1 - |p|^2 and 1 - |q|^2.
-    void addEdge(const Point2& p, double bp, const Point2& q, double bq)
+    void chord(const Chord& x)
     {
-        const Point2 d = q - p, m = 0.5 * (p + q);
-        const double bm = 1 - m.squaredNorm();
-        const Point2& nearest = bm >= std::max(bp, bq) ? m : bp > bq ? p : q;
-        const double c = cross(nearest, d);
-
-        if (bp >= 0 && bq >= 0)
-        {
-            addChord(d, c, bp, bq);
-            return;
-        }
-
-        const double pd = p.dot(d), qd = q.dot(d), d2 = d.squaredNorm(), reach2 = d2 - c * c;
-        if (bp < 0 && bq < 0 && !(reach2 > 0 && pd < 0 && qd > 0))
-        {
-            arcs_.add(p.dot(q), c);
-            return;
-        }
-
-        // The line comes nearest to the centre in foot; its part in the disc is foot - before d to foot + after d
-        const Point2 foot = Point2(d.y(), -d.x()) * (c / d2);
-        const double reach = std::sqrt(std::max(reach2, 0.0)) / d2, toP = -pd / d2, toQ = qd / d2;
-        const double before = bp < 0 ? reach : toP, after = bq < 0 ? reach : toQ;
-        if (bp < 0) arcs_.add(p.dot(foot - before * d), c * (toP - before));
-        if (bq < 0) arcs_.add(q.dot(foot + after * d), c * (toQ - after));
-        const double length = before + after;
-        addChord(length * d, length * c, std::max(bp, 0.0), std::max(bq, 0.0));
+        crossed_ = true;
+        chords_ += x.cross;
+        momentSum_ += (0.5 * (x.b0 + x.b1) + x.d.squaredNorm() / 6) * x.d;
     }
+
+    void outside(const Point2& x0, const Point2& x1, double crossProduct) { arcs_.add(x0.dot(x1), crossProduct); }
 
     bool crossed() const { return crossed_; }
     double arcAngle() const { return arcs_.value(); }
@@ -94,14 +37,6 @@ public:
     Point2 moment() const { return {-0.5 * momentSum_.y(), 0.5 * momentSum_.x()}; }
 
 private:
-    /// A piece of an edge inside the disc: its vector, the cross product of its ends x, and 1 - |x|^2 there.
-    void addChord(const Point2& d, double crossProduct, double b0, double b1)
-    {
-        crossed_ = true;
-        chords_ += crossProduct;
-        momentSum_ += (0.5 * (b0 + b1) + d.squaredNorm() / 6) * d;
-    }
-
     bool crossed_ = false;
     double chords_ = 0;
     Point2 momentSum_ = Point2::Zero();
@@ -136,7 +71,7 @@ AreaMoment discPolygon(const Point2& centre, double radius, const Point2* vertic
     {
         const Point2 q = local(k);
         const double bq = 1 - q.squaredNorm();
-        sum.addEdge(p, bp, q, bq);
+        splitEdge(p, bp, q, bq, 1, sum);
         p = q;
         bp = bq;
     }

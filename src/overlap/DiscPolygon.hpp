@@ -3,15 +3,12 @@
 
 #pragma once
 
-#include <Eigen/Core>
+#include "overlap/Types.hpp"
 
 #include <cstddef>
 
-/// Exact intersections of grains with mesh cells: pure geometry, no bodies, no OpenFOAM.
 namespace overlap
 {
-
-using Point2 = Eigen::Vector2d;
 
 /// Area [m^2] and centroid [m] of an intersection; the centroid of an empty one is the disc's centre.
 struct AreaMoment

@@ -13,8 +13,6 @@ namespace overlap
 
 using Polygon = std::vector<Point2>;
 
-constexpr double pi = 3.14159265358979323846;
-
 inline Polygon rectangle(double xMin, double yMin, double xMax, double yMax)
 {
     return {{xMin, yMin}, {xMax, yMin}, {xMax, yMax}, {xMin, yMax}};

@@ -99,25 +99,28 @@ public:
         return wall ? std::max(0.0, -wall->gap) : 0;
     }
 
-    /// From the centre of the first body to the contact, and the same for the second member's body [m].
+    /// From the centre of the first body to the contact, and the same for the second member's body [m]: to the middle
+    /// of an overlap, but to the body's own surface across a gap, which will be closed when there is an impulse.
     Vector<D> firstArm(const Pair& pair, const Approach<D>& approach) const
     {
-        const Vector<D> toContact = (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
+        const Vector<D> toContact = (radius_[pair.first] + std::min(0.0, 0.5 * approach.gap)) * approach.normal;
         return arm_.empty() ? toContact : Vector<D>(arm_[pair.first] + toContact);
     }
 
     Vector<D> secondArm(const Pair& pair, const Approach<D>& approach) const
     {
-        const Vector<D> toContact = -(radius_[pair.second] + 0.5 * approach.gap) * approach.normal;
+        const Vector<D> toContact = -(radius_[pair.second] + std::min(0.0, 0.5 * approach.gap)) * approach.normal;
         return arm_.empty() ? toContact : Vector<D>(arm_[pair.second] + toContact);
     }
 
-    /// The point in the middle of gap or overlap [m], at the wall if it is one, else at the first grain.
+    /// The point in the middle of an overlap [m], seen from a wall if it is one; across a gap the first one's surface, or
+    /// the wall's.
     Vector<D> contactPoint(const Pair& pair, const Approach<D>& approach) const
     {
         const Vector<D>& x = position_[pair.first];
         const Vector<D> centre = periodic_ && pair.second < 0 ? walls_.image(~pair.second, x) : x;
-        return centre + (radius_[pair.first] + 0.5 * approach.gap) * approach.normal;
+        const double beyond = approach.gap < 0 ? 0.5 * approach.gap : pair.second < 0 ? approach.gap : 0;
+        return centre + (radius_[pair.first] + beyond) * approach.normal;
     }
 
     /// Is one of the pair part of a cluster?  A member at the centre of mass is: it turns with the cluster's inertia.

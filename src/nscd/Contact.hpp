@@ -134,7 +134,7 @@ inline void apply(const Contact<D>& c, Body<D>& a, Body<D>& b, double normal, co
 ///     r_n <- [r_n - (u_n + g/dt)/W_NN]+,   r_t <- projection of r_t - u_t/W_TT on |r_t| <= mu r_n.
 /// Returns the square of W times the change of the impulse [m^2/s^2].
 template <int D>
-inline double solve(Contact<D>& c, Body<D>* bodies)
+[[gnu::always_inline]] inline double solve(Contact<D>& c, Body<D>* bodies)
 {
     Body<D>& a = bodies[c.i];
     Body<D>& b = bodies[c.j];

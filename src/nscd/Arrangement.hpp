@@ -113,8 +113,8 @@ public:
         return arm_.empty() ? toContact : Vector<D>(arm_[pair.second] + toContact);
     }
 
-    /// The point in the middle of an overlap [m], seen from a wall if it is one; across a gap the first one's surface, or
-    /// the wall's.
+    /// The point in the middle of an overlap [m], seen from a wall if it is one; across a gap the point on the first
+    /// one's surface, or on the wall's.
     Vector<D> contactPoint(const Pair& pair, const Approach<D>& approach) const
     {
         const Vector<D>& x = position_[pair.first];

@@ -10,6 +10,7 @@
 
 #include "RandomScene.hpp"
 
+#include <algorithm>
 #include <cfenv>
 #include <csignal>
 #include <cstdio>
@@ -225,7 +226,8 @@ void Trial<D>::checkEnergy(const nscd::ContactDynamics<D>& dynamics, const nscd:
     {
         impulses += random_.dt * contact.force.norm();
     }
-    const double unsolved = 10 * report.residual * impulses;
+    const double rounding = 1e-15 * impulses / *std::min_element(before.mass.begin(), before.mass.end());
+    const double unsolved = 10 * (report.residual + rounding) * impulses;
     largestEnergy_ = std::max(largestEnergy_, energy);   // impulses of the step before leave round-off
     require(report.contactWork <= unsolved + 1e-11 * energy + 1e-14 * largestEnergy_,
             "energy from nowhere: " + text(report.contactWork) + " of " + text(energy) + ", unsolved " +

@@ -86,7 +86,17 @@ double Conduction<D>::conductance(const ContactForce<D>& contact, const Grains<D
     return law_({materials_[grains.material[contact.first]], materials_[other],
                  radiusAt<D>(grains, contact.first, contact.point),
                  isWall ? std::numeric_limits<double>::infinity() : radiusAt<D>(grains, contact.second, contact.point),
-                 contact.force.dot(contact.normal), length_});
+                 contact.pressing, length_});
+}
+
+template <int D>
+double Conduction<D>::heatFlow(const ContactForce<D>& contact, const Grains<D>& grains,
+                               const std::vector<ThermalWall>& walls) const
+{
+    const double first = grains.temperature[contact.first];
+    const double second = contact.second < 0 ? walls[~contact.second].temperature.value_or(first)
+                                             : grains.temperature[contact.second];
+    return conductance(contact, grains, walls) * (first - second);
 }
 
 template <int D>

@@ -42,6 +42,9 @@ ConductanceLaw defaultConductance()
 /// of a graph, symmetric and positive definite, solved by conjugate gradients; heat is conserved to round-off however
 /// well it is solved.  All is computed in the order of the contacts: ranks that hold the same state find the same
 /// result, bit for bit, and need no communication.
+///
+/// What presses a cohesive contact together is its load and the attraction (as in the theory of Derjaguin, Muller and
+/// Toporov, J. Colloid Interface Sci. 53, 314, 1975): a contact in tension conducts until it breaks.
 template <int D>
 class Conduction
 {
@@ -51,9 +54,15 @@ public:
     explicit Conduction(std::vector<ThermalMaterial> materials, double length = 1,
                         ConductanceLaw law = defaultConductance<D>());
 
-    /// Conductance of a contact [W/K], its radii those of the grains (of a cluster, that of the member that touches).
+    /// Conductance of a contact [W/K] whose surfaces press on each other with ContactForce::pressing.  Its radii are
+    /// those of the grains (of a cluster, that of the member that touches).
     double conductance(const ContactForce<D>& contact, const Grains<D>& grains,
                        const std::vector<ThermalWall>& walls) const;
+
+    /// Heat that flows through a contact from the first body to the second [W] at the grains' temperatures; to an
+    /// adiabatic wall none.
+    double heatFlow(const ContactForce<D>& contact, const Grains<D>& grains,
+                    const std::vector<ThermalWall>& walls) const;
 
     /// Temperatures after dt [s]; heatCapacity is m c of each grain [J/K].  Throws std::invalid_argument for lists of
     /// different length, unknown materials, grains or walls, and values that are not positive.

@@ -17,6 +17,8 @@ struct ContactForce
     Vector<D> normal;    ///< from the first to the second
     Vector<D> force;     ///< on the second: impulse over the sub-step [N]
     double gap;          ///< [m], at the beginning of the sub-step
+    double pressing;     ///< with which the surfaces press on each other >= 0 [N]: what the normal part of the force
+                         ///< and the attraction of a cohesive contact add up to
 };
 
 }  // namespace nscd

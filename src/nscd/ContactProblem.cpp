@@ -131,11 +131,11 @@ template <int D>
 std::vector<ContactForce<D>> ContactProblem<D>::forces() const
 {
     std::vector<ContactForce<D>> result;
-    const auto add = [&](const Origin& origin, const Vector<D>& normal, const Vector<D>& impulse)
+    const auto add = [&](const Origin& origin, const Vector<D>& normal, const Vector<D>& impulse, double pressing)
     {
         const Pair& pair = candidates_.pairs()[origin.pair];
         const Vector<D> point = arrangement_.contactPoint(pair, {normal, origin.gap});
-        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, origin.gap});
+        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, origin.gap, pressing / dt_});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
@@ -145,7 +145,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             if (c.normalImpulse > 0)
             {
                 add(origin_[k], c.normal,
-                    impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse));
+                    impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
             }
         }
         for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
@@ -154,7 +154,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             if (c.impulse[0] > 0)
             {
                 add(leveredOrigin_[k], c.normal(),
-                    c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal());
+                    c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
             }
         }
     }

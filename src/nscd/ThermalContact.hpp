@@ -22,7 +22,7 @@ struct ThermalContact
     ThermalMaterial first, second;
     double firstRadius;   ///< [m]
     double secondRadius;  ///< [m]; infinite: a flat wall
-    double force;         ///< normal force [N]; tension conducts nothing
+    double force;         ///< with which they press on each other [N]; none conducts nothing
     double length;        ///< of cylinders [m]
 };
 

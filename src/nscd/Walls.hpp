@@ -57,6 +57,13 @@ struct WallOf<3>
 inline int materialOf(const Segment& wall) { return wall.material; }
 inline int bodyOf(const Segment& wall) { return wall.body; }
 
+inline void setMaterial(Segment& wall, int material) { wall.material = material; }
+
+inline void setMaterial(std::variant<Plane, Triangle>& wall, int material)
+{
+    std::visit([material](auto& w) { w.material = material; }, wall);
+}
+
 inline int materialOf(const std::variant<Plane, Triangle>& wall)
 {
     return std::visit([](const auto& w) { return w.material; }, wall);

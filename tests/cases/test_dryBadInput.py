@@ -37,6 +37,19 @@ def shape(text):
     return lambda case: replace(case, GRAINS, "shape   disc", f"shape   {text}")
 
 
+def heat(text, thermal="conductivity 1; heatCapacity 1; youngsModulus 1e9;"):
+    def spoil(case):
+        path = case.path / GRAINS
+        path.write_text(
+            path.read_text()
+            .replace("density 2500;", f"density 2500; {thermal}")
+            .replace("density 7800;", f"density 7800; {thermal}")
+            + f"\nheat {{ {text} }}\n"
+        )
+
+    return spoil
+
+
 MOTIONS = ["free", "oscillation", "rotation", "table", "translation"]
 
 # name, how the good case is spoilt, what the message holds besides the file
@@ -56,6 +69,31 @@ TABLE = [
     ("outletPatch", section("outlets", "type patches; patches (lid);"), ["'patches'", "lid"]),
     ("outletBox", section("outlets", "type box; box (0 0 0) (0 1 0);"), ["'box'", "two corners"]),
     ("outletKey", section("outlets", "type patches; patches (top); x 1;"), ["outlets", "'x'"]),
+    ("heatOfColdGrains", heat(""), ["'temperature'", "grain 0", "value 0", "a value > 0"]),
+    ("conductance", heat("conductance spheres;"), ["'conductance'", "spheres", "spot squarePatch"]),
+    ("heatKey", heat("x 1;"), ["heat", "'x'", "conductance"]),
+    ("conductivity", heat("", "conductivity 0;"), ["glass", "'conductivity'", "value 0", "> 0"]),
+    ("modulus", heat("", "conductivity 1;"), ["glass", "youngsModulus"]),
+    (
+        "heatCapacity",
+        heat("", "conductivity 1; youngsModulus 1;"),
+        ["glass", "'heatCapacity'", "none", "a value > 0"],
+    ),
+    (
+        "poissonRatio",
+        heat("", "conductivity 1; youngsModulus 1; poissonRatio 1;"),
+        ["'poissonRatio'", "value 1", "from 0 to 0.5"],
+    ),
+    (
+        "wallTemperature",
+        wall("type plane; point (0 0 0); normal (0 1 0); temperature 0;"),
+        ["other", "'temperature'", "value 0", "a value > 0"],
+    ),
+    (
+        "wallWithoutHeat",
+        wall("type plane; point (0 0 0); normal (0 1 0); temperature 300;"),
+        ["other", "'temperature'", "300", "a dictionary 'heat'"],
+    ),
     ("shapeType", section("shapes", "type cube;"), ["'type'", "cube", "cluster"]),
     (
         "shapeRadii",

@@ -9,9 +9,10 @@ Group
     grpGrainSolvers
 
 Description
-    Dynamics of dry grains in contact: discs on a mesh that is one cell thick,
-    spheres on any other; non-smooth contact dynamics (doc/theory.md).  The
-    mesh has patches that can be walls, and tells where grains may be.
+    Dynamics of dry grains in contact and conduction of heat between them:
+    discs on a mesh that is one cell thick, spheres on any other; non-smooth
+    contact dynamics (doc/theory.md).  The mesh has patches that can be walls,
+    and tells where grains may be.
 
 \*---------------------------------------------------------------------------*/
 
@@ -41,6 +42,7 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
         ledger.startStep();
 
         grains.move(runTime.deltaTValue());
+        grains.conduct(runTime.deltaTValue());
         outlets.open(grains);
 
         ledger.endStep();

@@ -59,7 +59,14 @@ void pack(const fvMesh& mesh, const dictionary& dict)
 
     OFstream os(file);
     os.precision(17);
-    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material,temperature"
+    const bool heated =
+        std::any_of
+        (
+            grains.temperature.begin(), grains.temperature.end(),
+            [](const double t) { return t > 0; }
+        );
+    os  << "x,y,z,radius,vx,vy,vz,wx,wy,wz,material"
+        << (heated ? ",temperature" : "")
         << (grains.clusters.empty() ? "" : ",shape,qw,qx,qy,qz") << nl;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
@@ -71,8 +78,11 @@ void pack(const fvMesh& mesh, const dictionary& dict)
             << grains.radius[i] << ','
             << v.x() << ',' << v.y() << ',' << v.z() << ','
             << w.x() << ',' << w.y() << ',' << w.z() << ','
-            << properties.materials().names()[grains.material[i]] << ','
-            << grains.temperature[i];
+            << properties.materials().names()[grains.material[i]];
+        if (heated)
+        {
+            os  << ',' << grains.temperature[i];
+        }
         if (grains.clusters.size())
         {
             const quaternion q(space.orientationInSpace(grains.orientation[i]));

@@ -129,6 +129,14 @@ bool Foam::functionObjects::contactNetwork::write()
         os, "gap", "double", contacts,
         [](const grainView::contact& c) { return c.gap; }
     );
+    if (grains.conducts())
+    {
+        writeScalars
+        (
+            os, "heatFlow", "double", contacts,
+            [](const grainView::contact& c) { return c.heatFlow; }
+        );
+    }
     writeScalars
     (
         os, "first", "int", contacts,

@@ -15,7 +15,8 @@ Foam::grainOutlets<D>::grainOutlets(const grainDynamics<D>& grains)
     mass_(0),
     totalNumber_(0),
     totalMass_(0),
-    momentum_(Zero)
+    momentum_(Zero),
+    heat_(0)
 {
     const dictionary& properties = grains.properties().dict();
     if (properties.found("outlets"))
@@ -54,12 +55,14 @@ void Foam::grainOutlets<D>::open(grainDynamics<D>& grains)
     number_ = 0;
     mass_ = 0;
     momentum_ = Zero;
+    heat_ = 0;
     for (label i = 0; i < grains.size(); ++i)
     {
         if (gone[i])
         {
             ++number_;
             mass_ += grains.grains().mass[i];
+            heat_ += grains.heat() ? grains.heat()->heat(grains.grains(), i) : 0;
             momentum_ +=
                 grains.grains().mass[i]*grains.velocity(i)
               - grains.space().toSpace(grains.dynamics().contactImpulse()[i]);

@@ -24,7 +24,10 @@ Foam::grainSources::csv<D>::csv
     file_(dict.get<fileName>("file")),
     material_(ctx.materials.index(dict, "material"))
 {
-    dictionaryInput::checkKeywords(dict, {"type", "file", "material"});
+    dictionaryInput::checkKeywords
+    (
+        dict, {"type", "file", "material", "temperature"}
+    );
 
     if (!file_.isAbsolute())
     {
@@ -84,8 +87,10 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
         }
         result.velocity[i] = space.fromSpace(v);
         result.spin[i] = space.spinFromSpace(w);
-        result.temperature[i] = table.number("temperature", i);
-
+        if (table.found("temperature"))
+        {
+            result.temperature[i] = table.number("temperature", i);
+        }
         if (table.found("shape"))
         {
             const label shapei =

@@ -50,7 +50,14 @@ Foam::grainSource<D>::grainSource(const dictionary& dict, const context& ctx)
 :
     context_(ctx),
     shape_(ctx.shapes.index(dict)),
-    seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0))
+    seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0)),
+    temperature_
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "temperature", dimTemperature, 0
+        )
+    )
 {}
 
 
@@ -71,7 +78,13 @@ Foam::autoPtr<Foam::grainSource<D>> Foam::grainSource<D>::New
 template<int D>
 void Foam::grainSource<D>::checkKeywords(const dictionary& dict, wordList own)
 {
-    own.append(wordList({"type", "material", "shape", "seed", "output"}));
+    own.append
+    (
+        wordList
+        (
+            {"type", "material", "shape", "seed", "temperature", "output"}
+        )
+    );
     dictionaryInput::checkKeywords(dict, own);
 }
 
@@ -114,6 +127,7 @@ nscd::Grains<D> Foam::grainSource<D>::grains
     {
         g.id[i] = i;
         g.material[i] = material;
+        g.temperature[i] = temperature_;
         g.shape[i] = shape_;
         if (shape_ >= 0)
         {

@@ -59,6 +59,14 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
         checks.requireInside();
         checks.requireNoOverlap();
     }
+    heat_ = grainHeat<D>::New
+    (
+        properties_.dict(), space(), properties_.materials(), properties_.walls()
+    );
+    if (heat_)
+    {
+        heat_->check(grains());
+    }
     locate();
 }
 
@@ -135,6 +143,19 @@ void Foam::grainDynamics<D>::locate()
 
 
 template<int D>
+void Foam::grainDynamics<D>::conduct(const scalar deltaT)
+{
+    if (heat_)
+    {
+        dynamics_->setTemperature
+        (
+            heat_->advance(grains(), dynamics_->contacts(), deltaT)
+        );
+    }
+}
+
+
+template<int D>
 void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
 {
     labelList newIndex(size());
@@ -184,7 +205,8 @@ Foam::grainDynamics<D>::contacts() const
         ({
             c.first, max(label(c.second), label(-1)),
             space().positionInSpace(c.point), space().toSpace(c.normal),
-            space().toSpace(c.force), c.gap
+            space().toSpace(c.force), c.gap,
+            heat_ ? heat_->flow(c, grains()) : 0
         });
     }
     return result;

@@ -30,7 +30,14 @@ Foam::grainMaterials::grainMaterials(const dictionary& dict)
         const dictionary& material =
             dictionaryInput::subDict(materials, names_[i]);
 
-        dictionaryInput::checkKeywords(material, {"density"});
+        dictionaryInput::checkKeywords
+        (
+            material,
+            {
+                "density", "conductivity", "heatCapacity", "youngsModulus",
+                "poissonRatio"
+            }
+        );
         density_[i] =
             dictionaryInput::getPositive(material, "density", dimDensity);
     }

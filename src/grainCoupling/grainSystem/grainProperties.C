@@ -68,7 +68,7 @@ void Foam::grainProperties<D>::check() const
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
             "initialGrains", "allowedOverlap", "contact", "coupling",
-            "outlets", "shapes"
+            "outlets", "shapes", "heat"
         }
     );
     if (dict_.found("coupling"))

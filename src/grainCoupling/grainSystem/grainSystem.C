@@ -33,6 +33,13 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
         }
     }
 
+    if (heat())
+    {
+        FatalIOErrorInFunction(properties().dict())
+            << "Keyword 'heat': this solver does not conduct heat" << nl
+            << "    allowed: in dryGrainFoam" << exit(FatalIOError);
+    }
+
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<cyclicPolyPatch>(patch))

@@ -23,7 +23,7 @@ Foam::grainWalls<D>::grainWalls
     {
         const dictionary& wall = dictionaryInput::subDict(dict, name);
         const word type(wall.get<word>("type"));
-        const int material = materials.index(wall, "material");
+        const int material = kind(wall, materials);
 
         int body = -1;
         if (wall.found("motion"))
@@ -43,7 +43,11 @@ Foam::grainWalls<D>::grainWalls
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "point", "normal", "material", "motion"}
+                wall,
+                {
+                    "type", "point", "normal", "material", "motion",
+                    "temperature"
+                }
             );
             auto plane = wallPieces::ofPlane(wall, space);
             plane.material = material;
@@ -57,7 +61,7 @@ Foam::grainWalls<D>::grainWalls
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "patches", "material", "motion"}
+                wall, {"type", "patches", "material", "motion", "temperature"}
             );
             own = wallPieces::ofPatches(wall, space);
         }
@@ -65,7 +69,7 @@ Foam::grainWalls<D>::grainWalls
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "file", "material", "motion"}
+                wall, {"type", "file", "material", "motion", "temperature"}
             );
             own = wallPieces::ofSurface(wall, space);
         }
@@ -93,6 +97,40 @@ Foam::grainWalls<D>::grainWalls
         walls_ = mergedFaces(pieces);
     }
     walls_.insert(walls_.end(), planes.begin(), planes.end());
+    separateKinds(materials.names().size());
+}
+
+
+template<int D>
+Foam::label Foam::grainWalls<D>::kind
+(
+    const dictionary& wall,
+    const grainMaterials& materials
+)
+{
+    const label material = materials.index(wall, "material");
+    if (!wall.found("temperature"))
+    {
+        return material;
+    }
+    heatedNames_.append(wall.dictName());
+    temperatures_.append
+    (
+        dictionaryInput::getPositive(wall, "temperature", dimTemperature)
+    );
+    return material + materials.names().size()*heatedNames_.size();
+}
+
+
+template<int D>
+void Foam::grainWalls<D>::separateKinds(const label nMaterials)
+{
+    for (auto& wall : walls_)
+    {
+        const label kind = nscd::materialOf(wall);
+        heated_.append(kind/nMaterials - 1);
+        nscd::setMaterial(wall, kind % nMaterials);
+    }
 }
 
 

@@ -18,7 +18,10 @@ Foam::dryLedger<D>::dryLedger
     outlets_(outlets),
     progress_(grains.mesh().time()),
     impulse_(Zero),
-    momentumError_(0)
+    momentumError_(0),
+    heat_(0),
+    wallHeat_(0),
+    heatError_(0)
 {
     measure();
 
@@ -34,8 +37,13 @@ void Foam::dryLedger<D>::measure()
     kineticEnergy_ = 0;
     potentialEnergy_ = 0;
     momentum_ = Zero;
+    heat_ = 0;
     for (label i = 0; i < grains_.size(); ++i)
     {
+        if (grains_.heat())
+        {
+            heat_ += grains_.heat()->heat(grains_.grains(), i);
+        }
         const scalar m = grains_.grains().mass[i];
         mass_ += m;
         kineticEnergy_ +=
@@ -59,6 +67,7 @@ void Foam::dryLedger<D>::endStep()
 {
     const scalar oldMass = mass_;
     const vector oldMomentum(momentum_);
+    const scalar oldHeat = heat_;
     measure();
 
     impulse_ = Zero;
@@ -78,9 +87,23 @@ void Foam::dryLedger<D>::endStep()
         )
        /max(mag(oldMomentum) + mag(weight) + mag(impulse_), VSMALL);
 
+    closeHeat(oldHeat);
     checkEnergy();
     print();
     write();
+}
+
+
+template<int D>
+void Foam::dryLedger<D>::closeHeat(const scalar oldHeat)
+{
+    if (grains_.heat())
+    {
+        wallHeat_ = sum(grains_.heat()->wallHeat());
+        heatError_ =
+            mag(heat_ + outlets_.heat() - oldHeat - wallHeat_)
+           /max(oldHeat, VSMALL);
+    }
 }
 
 
@@ -96,8 +119,36 @@ void Foam::dryLedger<D>::print() const
         << grains_.lastStep().contactWork << " J" << nl
         << "Momentum  " << momentum_ << " N s, unaccounted for "
         << momentumError_ << nl;
+    if (grains_.heat())
+    {
+        Info<< "Heat      " << heat_ << " J, walls gave " << wallHeat_
+            << " J, removed " << outlets_.heat() << " J, unaccounted for "
+            << heatError_ << nl;
+    }
 
     progress_.print();
+}
+
+
+template<int D>
+Foam::string Foam::dryLedger<D>::columns() const
+{
+    string names
+    (
+        "time,grains,removed,removedMass,kineticEnergy,potentialEnergy,"
+        "contactWork,momentum_x,momentum_y,momentum_z,impulse_x,impulse_y,"
+        "impulse_z,momentumError,"
+    );
+    if (grains_.heat())
+    {
+        names += "heat,removedHeat,";
+        for (const word& wall : grains_.heat()->walls())
+        {
+            names += "heatFrom_" + wall + ',';
+        }
+        names += "heatError,";
+    }
+    return names + CONTACT_COLUMNS ",elapsedTime";
 }
 
 
@@ -113,10 +164,7 @@ void Foam::dryLedger<D>::write()
     {
         file_ = progress_.newFile
         (
-            "ledger", "ledger.csv",
-            "time,grains,removed,removedMass,kineticEnergy,potentialEnergy,"
-            "contactWork,momentum_x,momentum_y,momentum_z,impulse_x,impulse_y,"
-            "impulse_z,momentumError," CONTACT_COLUMNS ",elapsedTime"
+            "ledger", "ledger.csv", columns().c_str()
         );
     }
 
@@ -129,6 +177,15 @@ void Foam::dryLedger<D>::write()
         << c << momentum_.x() << c << momentum_.y() << c << momentum_.z()
         << c << impulse_.x() << c << impulse_.y() << c << impulse_.z()
         << c << momentumError_ << c;
+    if (grains_.heat())
+    {
+        file_() << heat_ << c << outlets_.heat() << c;
+        for (const scalar heat : grains_.heat()->wallHeat())
+        {
+            file_() << heat << c;
+        }
+        file_() << heatError_ << c;
+    }
     contactReport::write(file_(), grains_.lastStep());
     file_() << c << progress_.elapsed() << endl;
 }

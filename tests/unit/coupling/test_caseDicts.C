@@ -6,6 +6,7 @@
 #include "foamTest.H"
 
 #include "contactLaw.H"
+#include "grainHeat.H"
 #include "grainMaterials.H"
 #include "grainOutlet.H"
 #include "grainShapes.H"
@@ -47,6 +48,12 @@ TEST(CaseDicts, OfGrainPropertiesAreAccepted)
         }
     }
     EXPECT_EQ(nMoving, 5);
+
+    dictionary walls;
+    walls.add("box", dict.subDict("walls").subDict("box"));
+    const auto heat =
+        grainHeat<2>::New(dict, space, materials, grainWalls<2>(walls, space, materials));
+    EXPECT_TRUE(heat);
 
     const dictionary& outlets = dict.subDict("outlets");
     for (const word& name : outlets.toc())

@@ -6,6 +6,7 @@
 #include "foamTest.H"
 
 #include "dragLaw.H"
+#include "grainHeat.H"
 #include "grainMaterials.H"
 #include "planarMesh.H"
 #include "sizeDistribution.H"
@@ -96,7 +97,7 @@ TEST(UsageOfHeaders, IsThereForWhatIsSelectable)
 {
     const auto found = examples();
     for (const char* name : {"Coulomb", "DallavalleDiFelice", "centroid", "csvGrains",
-        "exactOverlap", "grainMaterials", "grainTracks", "grainWalls"})
+        "exactOverlap", "grainHeat", "grainMaterials", "grainTracks", "grainWalls"})
     {
         EXPECT_TRUE(found.count(name)) << name;
     }
@@ -125,6 +126,15 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
             EXPECT_LT(sizes->sizes(dimensions)(0.5), 1.5e-3) << name;
         }
     }
+
+    dictionary thermal(example("grainHeat"));
+    thermal.add("contactLaws", dictionary());
+    const grainSpace<2> space(planar.mesh());
+    const grainMaterials thermalMaterials(thermal);
+    const grainWalls<2> walls(thermal.subDict("walls"), space, thermalMaterials);
+    const auto heat = grainHeat<2>::New(thermal, space, thermalMaterials, walls);
+    ASSERT_TRUE(heat);
+    EXPECT_EQ(heat->walls(), wordList({"hotPlate"}));
 
     const dictionary dict(example("grainMaterials"));
     const grainMaterials materials(dict);

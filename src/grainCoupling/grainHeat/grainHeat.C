@@ -1,0 +1,231 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainHeat.H"
+
+#include "dictionaryInput.H"
+
+#include <map>
+
+namespace
+{
+
+using namespace Foam;
+
+// [kg m/s^3/K], [m^2/s^2/K], [kg/m/s^2]
+const dimensionSet dimConductivity(1, 1, -3, -1, 0);
+const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
+
+template<int D>
+nscd::ConductanceLaw law(const dictionary& dict)
+{
+    dictionaryInput::checkKeywords(dict, {"conductance"});
+
+    namespace laws = nscd::conductance;
+    const std::map<word, nscd::ConductanceLaw> known
+    (
+        D == 2
+      ? std::map<word, nscd::ConductanceLaw>
+        {
+            {"rowOfSpheres", laws::rowOfSpheres},
+            {"spot", laws::spot},
+            {"squarePatch", laws::squarePatch},
+            {"strip", laws::strip}
+        }
+      : std::map<word, nscd::ConductanceLaw>{{"spheres", laws::spheres}}
+    );
+    const word name
+    (
+        dict.getOrDefault<word>("conductance", D == 2 ? "strip" : "spheres")
+    );
+    const auto iter = known.find(name);
+    if (iter == known.end())
+    {
+        wordList names;
+        for (const auto& entry : known)
+        {
+            names.append(entry.first);
+        }
+        dictionaryInput::badValue
+        (
+            dict, "conductance", name, dictionaryInput::listed(names)
+        );
+    }
+    return iter->second;
+}
+
+}
+
+
+template<int D>
+std::unique_ptr<Foam::grainHeat<D>> Foam::grainHeat<D>::New
+(
+    const dictionary& properties,
+    const grainSpace<D>& space,
+    const grainMaterials& materials,
+    const grainWalls<D>& walls
+)
+{
+    if (properties.found("heat"))
+    {
+        return std::make_unique<grainHeat>(properties, space, materials, walls);
+    }
+    if (walls.heatedNames().size())
+    {
+        dictionaryInput::badValue
+        (
+            properties.subDict("walls").subDict(walls.heatedNames().first()),
+            "temperature", Foam::name(walls.temperatures().first()),
+            "no temperature, or a dictionary 'heat' besides 'walls'"
+        );
+    }
+    return nullptr;
+}
+
+
+template<int D>
+Foam::grainHeat<D>::grainHeat
+(
+    const dictionary& properties,
+    const grainSpace<D>& space,
+    const grainMaterials& materials,
+    const grainWalls<D>& walls
+)
+:
+    properties_(properties),
+    materials_(materials),
+    walls_(walls),
+    conduction_
+    (
+        thermalMaterials(),
+        space.depth(),
+        law<D>(dictionaryInput::subDict(properties, "heat"))
+    ),
+    heatCapacity_(materials.names().size(), Zero),
+    wallHeat_(walls.heatedNames().size(), Zero)
+{
+    forAll(heatCapacity_, i)
+    {
+        heatCapacity_[i] = dictionaryInput::getPositiveOrDefault
+        (
+            ofMaterial(i), "heatCapacity", dimHeatCapacity, 0
+        );
+    }
+    readWalls();
+}
+
+
+template<int D>
+const Foam::dictionary& Foam::grainHeat<D>::ofMaterial(const label i) const
+{
+    return properties_.subDict("materials").subDict(materials_.names()[i]);
+}
+
+
+template<int D>
+std::vector<nscd::ThermalMaterial> Foam::grainHeat<D>::thermalMaterials() const
+{
+    std::vector<nscd::ThermalMaterial> result;
+    forAll(materials_.names(), i)
+    {
+        const dictionary& dict = ofMaterial(i);
+        result.push_back
+        ({
+            dictionaryInput::getPositive(dict, "conductivity", dimConductivity),
+            dictionaryInput::getPositive(dict, "youngsModulus", dimPressure),
+            dictionaryInput::getScalarOrDefault
+            (
+                dict, "poissonRatio", dimless, 0.3, 0, 0.5
+            )
+        });
+    }
+    return result;
+}
+
+
+template<int D>
+void Foam::grainHeat<D>::readWalls()
+{
+    forAll(walls_.heated(), i)
+    {
+        nscd::ThermalWall wall{nscd::materialOf(walls_.walls()[i]), {}};
+        if (walls_.heated()[i] >= 0)
+        {
+            wall.temperature = walls_.temperatures()[walls_.heated()[i]];
+        }
+        thermalWalls_.push_back(wall);
+    }
+}
+
+
+template<int D>
+void Foam::grainHeat<D>::check(const nscd::Grains<D>& grains) const
+{
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (heatCapacity_[grains.material[i]] <= 0)
+        {
+            dictionaryInput::badValue
+            (
+                ofMaterial(grains.material[i]), "heatCapacity", "none",
+                "a value > 0 [J/kg/K], as there are grains of this material"
+            );
+        }
+        if (!(grains.temperature[i] > 0))
+        {
+            FatalIOErrorInFunction(properties_)
+                << "Keyword 'temperature': grain " << label(grains.id[i])
+                << " has the value " << grains.temperature[i] << nl
+                << "    allowed: with 'heat' a value > 0 [K], an entry of"
+                << " 'initialGrains' or a column of its file"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+template<int D>
+std::vector<double> Foam::grainHeat<D>::capacities
+(
+    const nscd::Grains<D>& grains
+) const
+{
+    std::vector<double> result(grains.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+        result[i] = heatCapacity_[grains.material[i]]*grains.mass[i];
+    }
+    return result;
+}
+
+
+template<int D>
+std::vector<double> Foam::grainHeat<D>::advance
+(
+    const nscd::Grains<D>& grains,
+    const std::vector<nscd::ContactForce<D>>& contacts,
+    const scalar deltaT
+)
+{
+    nscd::Heated heated = conduction_.advance
+    (
+        grains, capacities(grains), contacts, thermalWalls_, deltaT
+    );
+
+    wallHeat_ = Zero;
+    forAll(walls_.heated(), i)
+    {
+        const label entry = walls_.heated()[i];
+        if (entry >= 0)
+        {
+            wallHeat_[entry] += heated.wallHeat[i];
+        }
+    }
+    return std::move(heated.temperature);
+}
+
+
+template class Foam::grainHeat<2>;
+template class Foam::grainHeat<3>;

@@ -137,8 +137,9 @@ def read_members(case, time):
     return {"position": position, "radius": size * radius[member], "grain": grain}
 
 
-def read_contacts(case, name, time):
-    """Lines [(n, 2), ...] and normal forces [N] that a function object contactNetwork wrote."""
+def read_contacts(case, name, time, value="normal"):
+    """Lines [(n, 2), ...] and a value of each that a function object contactNetwork wrote:
+    normal [N], heatFlow [W], gap [m], first or second (ids)."""
     text = (Path(case) / "postProcessing" / name / f"contacts_{time}.vtk").read_text()
     words = text.split()
     axes = read_mesh(case).axes
@@ -156,7 +157,7 @@ def read_contacts(case, name, time):
         lines.append(points[indices[1 : 1 + indices[0]]])
         indices = indices[1 + indices[0] :]
     # "SCALARS normal double 1 LOOKUP_TABLE default", then the values
-    return lines, numbers("normal", 5, n_lines)
+    return lines, numbers(value, 5, n_lines)
 
 
 def draw_contacts(ax, lines, widths, scale=4.0, **style):

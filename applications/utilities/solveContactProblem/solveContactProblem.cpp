@@ -170,6 +170,11 @@ int main(int argc, char** argv)
 {
     try
     {
+        const char* const ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
+        if (ranks && std::string(ranks) != "1")
+        {
+            nscd::refuse("runs on one core; start it without mpirun, not on ", ranks, " ranks");
+        }
         const Options options = parse(argc, argv);
         if (options.help)
         {

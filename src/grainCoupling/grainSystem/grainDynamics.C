@@ -104,6 +104,7 @@ void Foam::grainDynamics<D>::advance
             *dynamics_, start, deltaT, space().fromSpace(properties_.g())
         );
         keptContacts_.clear();
+        sizeOfStep_ = size();
         lastStep_ = dynamics_->step(force, torque, deltaT);
     }
     catch (const std::exception& err)

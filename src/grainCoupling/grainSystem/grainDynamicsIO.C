@@ -39,6 +39,27 @@ void Foam::grainDynamics<D>::save(const word& suffix) const
 
 
 template<int D>
+bool Foam::grainDynamics<D>::writeContactProblem(const fileName& file) const
+{
+    if (!lastStep_.contacts || size() != sizeOfStep_)
+    {
+        return false;
+    }
+    try
+    {
+        dynamics_->dumpContactProblem(file);
+    }
+    catch (const std::exception& err)
+    {
+        FatalErrorInFunction
+            << "The contact problem could not be written: " << err.what()
+            << exit(FatalError);
+    }
+    return true;
+}
+
+
+template<int D>
 void Foam::grainDynamics<D>::beginWrite() const
 {
     save(".incomplete");
@@ -102,3 +123,11 @@ template void Foam::grainDynamics<2>::beginWrite() const;
 template void Foam::grainDynamics<3>::beginWrite() const;
 template void Foam::grainDynamics<2>::endWrite() const;
 template void Foam::grainDynamics<3>::endWrite() const;
+template bool Foam::grainDynamics<2>::writeContactProblem
+(
+    const fileName&
+) const;
+template bool Foam::grainDynamics<3>::writeContactProblem
+(
+    const fileName&
+) const;

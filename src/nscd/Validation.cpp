@@ -152,6 +152,14 @@ void validate(const Settings& settings, const Grains<D>& grains)
             refuse("settings: period ", period, " m is less than four of the largest radii, ", largestRadius,
                    " m: a grain could touch another one twice");
         }
+        // Two grains approach each other by 4 maxDisplacement radii in a sub-step: past the image that was nearest
+        const double needed = (4 + 8 * settings.maxDisplacement) * largestRadius;
+        if (period > 0 && settings.maxDisplacement > 0.5 && period < needed)
+        {
+            refuse("settings: maxDisplacement ", settings.maxDisplacement, " in a period of ", period,
+                   " m: a grain could pass another one's next image unseen; at most 0.5, or a period of ", needed,
+                   " m");
+        }
     }
 }
 

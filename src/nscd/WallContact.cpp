@@ -22,6 +22,17 @@ Facet<3> cornersOf(const std::variant<Plane, Triangle>& wall)
     return {triangle.a, triangle.b, triangle.c};
 }
 
+template <int D>
+Bounds<D> boundsOf(const Facet<D>& facet)
+{
+    Bounds<D> box{facet[0], facet[0]};
+    for (const Vector<D>& corner : facet)
+    {
+        box.enclose({corner, corner});
+    }
+    return box;
+}
+
 const Plane* planeOf(const std::variant<Plane, Triangle>& wall)
 {
     return std::get_if<Plane>(&wall);
@@ -53,9 +64,10 @@ WallContact<D>::WallContact(const Walls<D>& walls, const std::array<double, 3>& 
         facets.push_back(cornersOf(walls[w]));
         facetBody.push_back(body_.back());
     }
+    makeImages(facets, facetBody);
     mesh_ = WallMesh<D>(facets, facetBody);
     std::vector<int> movingBody;
-    for (int facet = 0; facet < mesh_.facets(); ++facet)
+    for (int facet = 0; !isImage(facet); ++facet)
     {
         if (facetBody[facet] < 0)
         {
@@ -69,6 +81,76 @@ WallContact<D>::WallContact(const Walls<D>& walls, const std::array<double, 3>& 
     }
     fixed_.tree = BoxTree<D>(bounds(fixed_.facets), std::vector<int>(fixed_.facets.size(), 0));
     moving_.tree = BoxTree<D>(bounds(moving_.facets), movingBody);
+}
+
+template <int D>
+void WallContact<D>::makeImages(std::vector<Facet<D>>& facets, std::vector<int>& bodies)
+{
+    if (!periodic_ || facets.empty())
+    {
+        return;
+    }
+    std::vector<Bounds<D>> boxes;
+    Bounds<D> all = boundsOf<D>(facets[0]);
+    for (const Facet<D>& facet : facets)
+    {
+        boxes.push_back(boundsOf<D>(facet));
+        all.enclose(boxes.back());
+    }
+    const double near = 1e-9 * (all.upper - all.lower).maxCoeff();
+    const BoxTree<D> tree(boxes, std::vector<int>(boxes.size(), 0));
+
+    Vectors<D> shifts{Vector<D>::Zero()};
+    for (int d = 0; d < D; ++d)
+    {
+        const int periods = period_[d] > 0 ? static_cast<int>((all.upper[d] - all.lower[d] + near) / period_[d]) : 0;
+        const Vectors<D> before = shifts;
+        for (int k = 1; k <= periods; ++k)
+        {
+            for (const Vector<D>& shift : before)
+            {
+                shifts.push_back(shift - k * period_[d] * Vector<D>::Unit(d));
+                shifts.push_back(shift + k * period_[d] * Vector<D>::Unit(d));
+            }
+        }
+    }
+    for (int f = 0; f < static_cast<int>(boxes.size()); ++f)
+    {
+        for (std::size_t s = 1; s < shifts.size(); ++s)
+        {
+            const Vector<D>& shift = shifts[s];
+            bool touches = false, coversItself = false;   // a facet that is longer than the period has no seam
+            for (int d = 0; d < D; ++d)
+            {
+                const double length = boxes[f].upper[d] - boxes[f].lower[d];
+                coversItself = coversItself || (shift[d] != 0 && length > period_[d] + near);
+            }
+            const Vector<D> margin = Vector<D>::Constant(near);
+            tree.forMeeting({boxes[f].lower + shift - margin, boxes[f].upper + shift + margin},
+                            [&](int other) { touches = touches || bodies[other] == bodies[f]; });
+            if (touches && !coversItself)
+            {
+                images_.push_back({f, shift});
+            }
+        }
+    }
+    for (const Image& image : images_)
+    {
+        facets.push_back(facets[image.facet]);
+        for (Vector<D>& corner : facets.back())
+        {
+            corner += image.shift;
+        }
+        bodies.push_back(bodies[image.facet]);
+    }
+}
+
+template <int D>
+bool WallContact<D>::isAstray(int facet) const
+{
+    const Image& image = imageOf(facet);
+    const int body = body_[wallOf_[image.facet]];
+    return body >= 0 && !motions_.empty() && (motions_[body].turn * image.shift).norm() > 1e-12 * image.shift.norm();
 }
 
 template <int D>
@@ -203,9 +285,14 @@ auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat
     const bool above = mesh_.height(facet, x) >= 0;
     for (const int other : mesh_.facetsAt(joint))
     {
+        const int itself = isImage(other) ? imageOf(other).facet : other;
+        if (itself == facet || (isImage(other) && isAstray(other)))
+        {
+            continue;
+        }
         const Foot<D> foot = mesh_.nearest(other, x);
         const bool nearer = foot.joint != joint;
-        if (!nearer && facet <= other)
+        if (!nearer && facet < itself)
         {
             continue;
         }
@@ -237,10 +324,15 @@ auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat
 }
 
 template <int D>
-bool WallContact<D>::inHollow(int facet, const Vector<D>& x) const
+bool WallContact<D>::inHollow(int facet, Vector<D> x) const
 {
     for (;;)
     {
+        if (isImage(facet))
+        {
+            x -= imageOf(facet).shift;
+            facet = imageOf(facet).facet;
+        }
         const Foot<D> foot = mesh_.nearest(facet, x);
         if (foot.joint < 0)
         {
@@ -284,28 +376,6 @@ void WallContact<D>::place(const std::vector<WallBody<D>>& initial, const std::v
     mesh_.move(motions);
     moving_.tree.refit(bounds(moving_.facets));
     motions_ = std::move(motions);
-}
-
-template <int D>
-double WallContact<D>::farthestMove(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& before,
-                                    const std::vector<WallBody<D>>& after) const
-{
-    double farthest = mesh_.farthestMove(rigidMotions<D>(initial, before), rigidMotions<D>(initial, after));
-    for (const HalfSpace& halfSpace : halfSpaces_)
-    {
-        const int body = body_[halfSpace.wall];
-        if (body >= 0)
-        {
-            farthest = std::max(farthest, (after[body].position - before[body].position).norm());
-        }
-    }
-    return farthest;
-}
-
-template <int D>
-Vector<D> WallContact<D>::velocity(int wall, const Vector<D>& x, const std::vector<WallBody<D>>& now) const
-{
-    return body_[wall] < 0 ? Vector<D>(Vector<D>::Zero()) : velocityAt(now[body_[wall]], x);
 }
 
 template class WallContact<2>;

@@ -37,8 +37,8 @@ struct Approach
 /// point of its facet.  A grain that rolls from the walls of one body to those of another feels the edges between them.
 ///
 /// In a periodic box a facet is met by the image of the grain that is nearest to it; a facet longer than the period
-/// must be parallel to its axis.  Facets that meet only across the
-/// period are not joined: a grain that rolls over their ends feels the edge, unless one facet spans the whole period.
+/// must be parallel to its axis.  Facets that meet across the period are one surface, too; those of a body that has
+/// turned only about the period's axis.
 template <int D>
 class WallContact
 {
@@ -63,13 +63,6 @@ public:
     /// Throws std::invalid_argument when a body with a plane has turned.
     void place(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& now);
 
-    /// Largest distance that a point of the walls has moved between two places of the bodies [m].
-    double farthestMove(const std::vector<WallBody<D>>& initial, const std::vector<WallBody<D>>& before,
-                        const std::vector<WallBody<D>>& after) const;
-
-    /// Velocity of the material point of a wall that is at x [m/s]; zero for a fixed wall.
-    Vector<D> velocity(int wall, const Vector<D>& x, const std::vector<WallBody<D>>& now) const;
-
 private:
     struct HalfSpace
     {
@@ -83,6 +76,22 @@ private:
         std::vector<int> facets;
         BoxTree<D> tree;
     };
+
+    /// A facet's image in the next period, which stands in the mesh after all facets: what it is to its neighbours.
+    struct Image
+    {
+        int facet;
+        Vector<D> shift;   ///< from the facet to the image [m]
+    };
+
+    /// Images of facets that touch a facet.
+    void makeImages(std::vector<Facet<D>>& facets, std::vector<int>& bodies);
+
+    bool isImage(int facet) const { return facet >= static_cast<int>(wallOf_.size()); }
+    const Image& imageOf(int facet) const { return images_[facet - wallOf_.size()]; }
+
+    /// Has the body of an image turned, so that it is not where the neighbour in the next period is?
+    bool isAstray(int facet) const;
 
     std::vector<Bounds<D>> bounds(const std::vector<int>& facets) const;
     double height(const HalfSpace& halfSpace, const Vector<D>& x) const;
@@ -106,7 +115,7 @@ private:
     Company company(int facet, int joint, const Vector<D>& x, bool flat) const;
 
     /// Does x lie above a facet, or above one to which a hollow leads from there?
-    bool inHollow(int facet, const Vector<D>& x) const;
+    bool inHollow(int facet, Vector<D> x) const;
 
     std::array<double, 3> period_;
     bool periodic_;
@@ -114,6 +123,7 @@ private:
     std::vector<int> facetOf_;             ///< of each wall; half space h: ~h
     std::vector<int> wallOf_;              ///< of each facet
     std::vector<HalfSpace> halfSpaces_;
+    std::vector<Image> images_;
     WallMesh<D> mesh_;
     Search fixed_, moving_;
     std::vector<RigidMotion<D>> motions_;  ///< of the bodies when the walls were last moved

@@ -206,23 +206,6 @@ void WallMesh<D>::move(const std::vector<RigidMotion<D>>& motions)
     }
 }
 
-template <int D>
-double WallMesh<D>::farthestMove(const std::vector<RigidMotion<D>>& before,
-                                 const std::vector<RigidMotion<D>>& after) const
-{
-    double farthest = 0;
-    for (std::size_t c = 0; c < corner_.size(); ++c)
-    {
-        const int body = joints_.body[c];
-        if (body >= 0)
-        {
-            const Vector<D>& x = joints_.corner[c];
-            farthest = std::max(farthest, (after[body](x) - before[body](x)).squaredNorm());
-        }
-    }
-    return std::sqrt(farthest);
-}
-
 template class WallMesh<2>;
 template class WallMesh<3>;
 

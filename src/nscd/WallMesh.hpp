@@ -71,9 +71,6 @@ public:
     /// Go where the bodies are that have moved like this; body -1 stays.
     void move(const std::vector<RigidMotion<D>>& motions);
 
-    /// Largest distance between the same corner after two sets of motions [m].
-    double farthestMove(const std::vector<RigidMotion<D>>& before, const std::vector<RigidMotion<D>>& after) const;
-
 private:
     struct Side
     {

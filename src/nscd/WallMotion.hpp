@@ -45,16 +45,4 @@ std::vector<RigidMotion<D>> rigidMotions(const std::vector<WallBody<D>>& initial
     return motions;
 }
 
-/// Velocity of the point of a body that is at x [m/s].
-inline Vector<2> velocityAt(const WallBody<2>& body, const Vector<2>& x)
-{
-    const Vector<2> arm = x - body.position;
-    return body.velocity + body.spin[0] * Vector<2>(-arm.y(), arm.x());
-}
-
-inline Vector<3> velocityAt(const WallBody<3>& body, const Vector<3>& x)
-{
-    return body.velocity + body.spin.cross(x - body.position);
-}
-
 }  // namespace nscd

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Entries of dryGrainFoam that make no sense stop it before the first time step, by name."""
 
+import shutil
+
 import pytest
 from dry_box import GRAINS, dry_box
-from grain_box import replace
+from grain_box import cyclic_box, replace
 
 
 def contact(text):
@@ -123,3 +125,27 @@ def test_clusters_in_a_fluid_are_refused(clone):
     (case.path / "constant/grains.csv").write_text("x,y,z,radius,shape\n0.05,0.05,0,0.004,one\n")
     assert case.run("grainFoam", check=False, timeout=60) == 1
     assert "allowed with a fluid: disc" in case.log
+
+
+def test_initial_grains_overlap_across_a_period(clone):
+    """Grains and walls are met by all images, as in the run."""
+    case = cyclic_box(clone, [(0.001, 0.05), (0.0985, 0.05)], 0.002)
+    shutil.rmtree(case.path / "0")
+    (case.path / "constant/transportProperties").unlink()
+    text = (case.path / GRAINS).read_text()
+    text = text[: text.index("\ncoupling\n")]
+    (case.path / GRAINS).write_text(text)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in ("'initialGrains'", "overlaps grain", "by 0.0015 m"):
+        assert fragment in case.log
+
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n0.0985,0.05,0,0.002\n")
+    plate = "type surface; file plate.stl; material steel;"
+    (case.path / GRAINS).write_text(text.replace("walls\n{}", f"walls\n{{ plate {{ {plate} }} }}"))
+    (case.path / "constant/triSurface").mkdir()
+    corners = "vertex 0 0.02 -1\n vertex 0 0.08 -1\n vertex 0 0.05 2\n"
+    stl = f"solid p\nfacet normal 1 0 0\nouter loop\n{corners}endloop\nendfacet\nendsolid p\n"
+    (case.path / "constant/triSurface/plate.stl").write_text(stl)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in ("'initialGrains'", "overlaps a wall", "by 0.0005 m"):
+        assert fragment in case.log

@@ -6,11 +6,12 @@
 #include "grainChecks.H"
 
 #include "nscd/Members.hpp"
+#include "nscd/Neighbours.hpp"
+#include "nscd/WallContact.hpp"
 #include "OStringStream.H"
 #include "Pstream.H"
-#include "wallDistance.H"
 
-#include <numeric>
+#include <set>
 
 template<int D>
 Foam::grainChecks<D>::grainChecks
@@ -86,45 +87,53 @@ std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overla
         return result;
     }
 
-    // Along the first axis, only neighbours within the largest diameter
-    std::vector<label> order(r.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort
-    (
-        order.begin(), order.end(),
-        [&](const label i, const label j)
-        {
-            return x[i].x() < x[j].x();
-        }
-    );
-    const scalar reach = 2**std::max_element(r.begin(), r.end());
-
-    for (auto a = order.begin(); a != order.end(); ++a)
+    const std::array<double, 3>& period = properties_.contact().period;
+    const auto moved = [&](nscd::Vector<D> v, double (*whole)(double))
     {
-        for (auto b = a + 1; b != order.end(); ++b)
+        for (int d = 0; d < D; ++d)
         {
-            const nscd::Vector<D> apart(x[*b] - x[*a]);
-            if (apart.x() > reach)
-            {
-                break;
-            }
-            const scalar depth = r[*a] + r[*b] - apart.norm();
-            const label i = members.grain(*a);
+            v[d] -= period[d] > 0 ? period[d]*whole(v[d]/period[d]) : 0;
+        }
+        return v;
+    };
+    nscd::Vectors<D> inBox(x);
+    for (nscd::Vector<D>& y : inBox)
+    {
+        y = moved(y, std::floor);
+    }
+    const nscd::Neighbours<D> neighbours(inBox, r, 0, period);
+    const nscd::WallContact<D> walls(properties_.walls().walls(), period);
+
+    for (label a = 0; a < label(r.size()); ++a)
+    {
+        const label i = members.grain(a);
+
+        // Once, though two images may be near
+        std::set<label> near;
+        neighbours.forNear(a, [&](const label b) { near.insert(b); });
+        for (auto b = near.upper_bound(a); b != near.end(); ++b)
+        {
             const label j = members.grain(*b);
-            if (i != j && depth > 2*fraction*std::min(r[*a], r[*b]))
+            const scalar depth =
+                r[a] + r[*b] - moved(x[*b] - x[a], std::round).norm();
+            if (i != j && depth > 2*fraction*std::min(r[a], r[*b]))
             {
                 result.push_back({i, j, depth});
             }
         }
-        for (const auto& wall : properties_.walls().walls())
-        {
-            const scalar depth =
-                r[*a] - wallDistance(wall, x[*a]);
-            if (depth > 2*fraction*r[*a])
+
+        walls.forNear
+        (
+            x[a], r[a],
+            [&](const label wall)
             {
-                result.push_back({members.grain(*a), -1, depth});
+                const scalar depth = r[a] - walls.distance(wall, x[a]);
+                if (depth > 2*fraction*r[a])
+                {
+                    result.push_back({i, -1, depth});
+                }
             }
-        }
+        );
     }
     return result;
 }

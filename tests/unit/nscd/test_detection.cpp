@@ -85,6 +85,20 @@ TEST(Candidates, AreCompleteForAWideRangeOfSizesAndStrayGrains)
     expectAllNearPairs<3>(0.01, -1e20);
 }
 
+TEST(Candidates, OfANarrowPeriodicBoxAreListedOnce)
+{
+    // Either grain sees the other one on both sides; contacts are those of the nearest image
+    const nscd::Vectors<2> x{{0.5, 0}, {2.7, 0.1}, {1.6, 1.9}};
+    const nscd::Candidates<2> candidates =
+        candidatesOf<2>(x, std::vector<double>(3, 1), nscd::WallContact<2>({}), 0, 1, {4.4, 0, 0});
+    std::multiset<std::pair<int, int>> found;
+    for (const nscd::Pair& pair : candidates.pairs())
+    {
+        found.insert(std::minmax(candidates.order()[pair.first], candidates.order()[pair.second]));
+    }
+    EXPECT_EQ(found, (std::multiset<std::pair<int, int>>{{0, 1}, {0, 2}, {1, 2}}));
+}
+
 TEST(Candidates, ContainNearWallsOnly)
 {
     nscd::Walls<2> walls;

@@ -148,6 +148,19 @@ TEST(Settings, WithoutSenseAreRefused)
                   }),
               "settings: period 3.9 m is less than four of the largest radii, 1 m: a grain could touch another one "
               "twice");
+    const auto farSteps = [](double period)
+    {
+        return [period](Scene<2>& s)
+        {
+            s.grains.radius.assign(s.grains.size(), 1);
+            s.settings.maxDisplacement = 0.75;
+            s.settings.period[0] = period;
+        };
+    };
+    EXPECT_EQ(refusal(farSteps(9.9)),
+              "settings: maxDisplacement 0.75 in a period of 9.9 m: a grain could pass another one's next image "
+              "unseen; at most 0.5, or a period of 10 m");
+    EXPECT_EQ(refusal(farSteps(10)), "nothing was thrown");
 }
 
 TEST(Step, WithWrongListsOrTimeStepIsRefused)

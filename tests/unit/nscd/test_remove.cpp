@@ -65,6 +65,27 @@ TEST(Remove, TakesAllOrNone)
     EXPECT_EQ(fall<2>(dynamics, up<2>(-g), 1e-3).contacts, 0u);
 }
 
+TEST(Remove, LeavesNoContactsUntilTheNextStep)
+{
+    Scene<2> scene;
+    scene.addFloor();
+    for (int k = 0; k < 3; ++k)
+    {
+        scene.add({5.0 * k, 1});
+    }
+    auto dynamics = scene.dynamics();
+    fall<2>(dynamics, up<2>(-g), 1e-3);
+    EXPECT_EQ(dynamics.contacts().size(), 3u);
+    dynamics.remove({true, false, false});
+    EXPECT_EQ(dynamics.contacts().size(), 0u);
+    fall<2>(dynamics, up<2>(-g), 1e-3);
+    ASSERT_EQ(dynamics.contacts().size(), 2u);
+    for (const auto& contact : dynamics.contacts())
+    {
+        EXPECT_NEAR(contact.point.x(), 5 * (contact.first + 1), 1e-9);
+    }
+}
+
 TEST(Remove, RefusesAListOfAnotherLength)
 {
     auto dynamics = agitated<2>(2, 0).dynamics();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Walls that move with bodies: where they are, how far they have gone, how fast their points are.
+// Walls that move with bodies: where they are.
 
 #include "Surfaces.hpp"
 
@@ -131,7 +131,6 @@ TEST(MovedPlane, GoesWithItsBody)
     walls.place({bodyAt({1, 1, 1})}, {bodyAt({4, 5, 3})});
     EXPECT_NEAR(walls.approach(0, {0, 0, 3}, radius)->gap, 1 - radius, 1e-15);
     EXPECT_NEAR(walls.approach(1, {0, 0, 3}, radius)->gap, 3 - radius, 1e-15);
-    EXPECT_NEAR(walls.farthestMove({bodyAt({1, 1, 1})}, {bodyAt({1, 1, 1})}, {bodyAt({4, 5, 1})}), 5, 1e-15);
 }
 
 TEST(MovedPlane, DoesNotTurn)
@@ -146,50 +145,4 @@ TEST(MovedPlane, DoesNotTurn)
     {
         EXPECT_STREQ(error.what(), "wall 0: a plane cannot turn with its body 0; make it of triangles");
     }
-}
-
-TEST(FarthestMove, IsThatOfTheOutermostCorner)
-{
-    const std::vector<nscd::WallBody<3>> initial{bodyAt({0, 0, 0})};
-    const Surface surface = boxAndFloor();
-    const nscd::WallContact<3> walls(surface);
-    EXPECT_EQ(walls.farthestMove(initial, initial, initial), 0);
-    EXPECT_NEAR(walls.farthestMove(initial, {bodyAt({1, 1, 1})}, {bodyAt({1, 3, 2})}), std::sqrt(5.0), 1e-15);
-    // About the z axis: the corner (1, 1.2) on a chord of the circle around the origin
-    const double chord = 2 * std::sin(0.15) * std::hypot(1, 1.2);
-    EXPECT_NEAR(walls.farthestMove(initial, {bodyAt({0, 0, 0}, 0.2)}, {bodyAt({0, 0, 0}, 0.5)}), chord, 1e-14);
-
-    const nscd::WallContact<2> segment({{{1, 0}, {3, 0}, 0, 0}, {{0, 5}, {1, 5}}});
-    EXPECT_NEAR(segment.farthestMove({discAt({1, 0})}, {discAt({1, 0})}, {discAt({1, 0}, M_PI)}), 4, 1e-15);
-}
-
-TEST(WallVelocity, IsTheRateOfChangeOfTheWallsPoints)
-{
-    const Surface surface = boxAndFloor();
-    const nscd::WallContact<3> walls(surface);
-    nscd::WallBody<3> body = bodyAt({1, 2, 3}, 0.7, {1, 1, 0});
-    body.velocity = {0.3, -0.2, 0.1};
-    body.spin = {0.5, 1, -2};
-    const double dt = 1e-4;
-    nscd::WallBody<3> before = body;
-    nscd::WallBody<3> after = body;
-    for (const double side : {-1.0, 1.0})
-    {
-        nscd::WallBody<3>& other = side < 0 ? before : after;
-        other.position += side * dt * body.velocity;
-        other.orientation = Eigen::AngleAxisd(side * dt * body.spin.norm(), body.spin.normalized()) * body.orientation;
-    }
-    const Point x(1.5, 2.5, 2);
-    const nscd::RigidMotion<3> back(body, before);
-    const nscd::RigidMotion<3> forth(body, after);
-    const Point expected = (forth(x) - back(x)) / (2 * dt);
-    EXPECT_LE((walls.velocity(0, x, {body}) - expected).norm(), 1e-7);   // dt^2 |spin|^3 |x - position| / 6
-    EXPECT_EQ(walls.velocity(static_cast<int>(surface.size()) - 1, x, {body}), Point(0, 0, 0));
-
-    nscd::WallBody<2> disc = discAt({1, 1});
-    disc.velocity = {0, 1};
-    disc.spin[0] = 2;
-    const nscd::WallContact<2> segment({{{1, 0}, {3, 0}, 0, 0}});
-    EXPECT_EQ(segment.velocity(0, {2, 1}, {disc}), nscd::Vector<2>(0, 3));
-    EXPECT_EQ(segment.velocity(0, {1, 0}, {disc}), nscd::Vector<2>(2, 1));
 }

@@ -26,7 +26,8 @@ struct FacesOfOneCell
 BallOverlap ballPolyhedron(const Point3& centre, double radius, const Polyhedron& cell)
 {
     const UnitBall ball = unitBall(centre, radius);
-    const CellShape& shape = cell.shape();
+    const CellView view = cell.view();
+    const CellShape& shape = view.shape;
     if (!meets(centre, radius, shape.low, shape.high)) return noOverlap(centre);
 
     const std::vector<Point3>& vertices = cell.vertices();
@@ -35,8 +36,8 @@ BallOverlap ballPolyhedron(const Point3& centre, double radius, const Polyhedron
         return {shape.volume, shape.centroid, 0, Point3::Zero()};
     }
 
-    FacesOfOneCell faces{ball, cell.facets()};
-    return CellSum<FacesOfOneCell>(ball, cell.facets(), shape, cell.faces().data(), cell.nFaces(), faces).overlap();
+    FacesOfOneCell faces{ball, view.facets};
+    return CellSum<FacesOfOneCell>(ball, view, faces).overlap();
 }
 
 std::vector<double> ballFaceAreas(const Point3& centre, double radius, const Polyhedron& cell)
@@ -45,7 +46,7 @@ std::vector<double> ballFaceAreas(const Point3& centre, double radius, const Pol
     std::vector<double> areas;
     for (std::size_t face = 0; face < cell.nFaces(); ++face)
     {
-        areas.push_back(innerParts(ball, cell.facets(), face).area * radius * radius);
+        areas.push_back(innerParts(ball, cell.view().facets, face).area * radius * radius);
     }
     return areas;
 }

@@ -24,6 +24,15 @@ struct CellShape
     bool convex;       ///< to within 1e-12 of its size
 };
 
+/// A cell of a polyhedron or mesh.
+struct CellView
+{
+    const Facets& facets;
+    const CellShape& shape;
+    const CellFace* faces;
+    std::size_t nFaces;
+};
+
 /// Volume and centroid are those of the polyhedron that the facets bound, by the divergence theorem about the mean of
 /// the vertices.
 CellShape cellShape(const Facets& facets, const CellFace* faces, std::size_t nFaces, const Point3* vertices,

@@ -43,45 +43,56 @@ template <class Source>
 class CellSum
 {
 public:
-    CellSum(const UnitBall& ball, const Facets& facets, const CellShape& shape, const CellFace* faces,
-            std::size_t nFaces, Source& source)
-        : ball_(ball), facets_(facets), shape_(shape), faces_(faces), nFaces_(nFaces), source_(source)
-    {
-    }
+    CellSum(const UnitBall& ball, const CellView& cell, Source& source) : ball_(ball), cell_(cell), source_(source) {}
 
-    BallOverlap overlap()
+    /// inner: from what is within the ball unless the centre is near a face; outer: from what is outside.
+    enum class Form
+    {
+        inner,
+        outer
+    };
+
+    BallOverlap overlap(Form form = Form::inner)
     {
         const BallOverlap none = noOverlap(ball_.centre);
         if (separated()) return none;
 
         addParts();
-        if (!reached_) return holdsCentre() ? wholeBall() : none;
+        if (!reached_)
+        {
+            holdsBall_ = holdsCentre();
+            return holdsBall_ ? wholeBall() : none;
+        }
 
-        if (near_)
+        if (near_ || form == Form::outer)
         {
             addOuterParts();
         }
         else
         {
-            const double turns = holdsCentre() ? 1 : 0;
-            volume_ = 4 * pi / 3 * turns - sum_.volume;
-            patch_ = 4 * pi * turns - sum_.patch;
-            if (volume_ < 1e-3 && !resolved_) resolve(turns);
+            takeInnerParts();
         }
+        if (volume_ < 1e-3 && !near_ && !resolved_) resolve();
         return volume_ > 0 ? scaled() : none;
     }
 
+    /// Whether overlap() has found the centre near a face of the cell.
+    bool isNear() const { return near_; }
+
+    /// Whether overlap() has found the whole ball in the cell.
+    bool holdsBall() const { return holdsBall_; }
+
 private:
-    double cellVolume() const { return shape_.volume * ball_.scale * ball_.scale * ball_.scale; }
+    double cellVolume() const { return cell_.shape.volume * ball_.scale * ball_.scale * ball_.scale; }
 
     /// A plane of a convex cell has the ball in front of it.
     bool separated()
     {
-        if (!shape_.convex) return false;
-        for (std::size_t i = 0; i < nFaces_; ++i)
+        if (!cell_.shape.convex) return false;
+        for (std::size_t i = 0; i < cell_.nFaces; ++i)
         {
-            const auto [low, high] = source_.heights(faces_[i].face);
-            inward_ = std::min(inward_, faces_[i].sign > 0 ? low : -high);
+            const auto [low, high] = source_.heights(cell_.faces[i].face);
+            inward_ = std::min(inward_, cell_.faces[i].sign > 0 ? low : -high);
             if (inward_ <= -1) return true;
         }
         return false;
@@ -89,10 +100,10 @@ private:
 
     void addParts()
     {
-        for (std::size_t i = 0; i < nFaces_; ++i)
+        for (std::size_t i = 0; i < cell_.nFaces; ++i)
         {
-            const auto [low, high] = source_.heights(faces_[i].face);
-            if (low < 1 && high > -1) add(faces_[i].sign, source_.parts(faces_[i].face));
+            const auto [low, high] = source_.heights(cell_.faces[i].face);
+            if (low < 1 && high > -1) add(cell_.faces[i].sign, source_.parts(cell_.faces[i].face));
         }
     }
 
@@ -111,36 +122,44 @@ private:
     /// Valid where the centre is not near the cell's boundary.
     bool holdsCentre() const
     {
-        if (shape_.convex) return inward_ > 0;
-        if ((ball_.centre.array() < shape_.low.array()).any() || (ball_.centre.array() > shape_.high.array()).any())
+        if (cell_.shape.convex) return inward_ > 0;
+        if ((ball_.centre.array() < cell_.shape.low.array()).any()
+            || (ball_.centre.array() > cell_.shape.high.array()).any())
         {
             return false;
         }
         double sum = 0;
-        for (std::size_t i = 0; i < nFaces_; ++i) sum += faces_[i].sign * solidAngle(ball_, facets_, faces_[i].face);
+        for (std::size_t i = 0; i < cell_.nFaces; ++i)
+            sum += cell_.faces[i].sign * solidAngle(ball_, cell_.facets, cell_.faces[i].face);
         return sum > 2 * pi;
     }
 
     void addOuterParts()
     {
-        for (std::size_t i = 0; i < nFaces_; ++i)
+        for (std::size_t i = 0; i < cell_.nFaces; ++i)
         {
-            const OuterParts parts = outerParts(ball_, facets_, faces_[i].face);
-            volume_ += faces_[i].sign * parts.volume;
-            patch_ += faces_[i].sign * parts.patch;
+            const OuterParts parts = outerParts(ball_, cell_.facets, cell_.faces[i].face);
+            volume_ += cell_.faces[i].sign * parts.volume;
+            patch_ += cell_.faces[i].sign * parts.patch;
         }
     }
 
-    void resolve(double turns)
+    void takeInnerParts()
     {
-        sum_ = FaceParts();
-        for (std::size_t i = 0; i < nFaces_; ++i)
-        {
-            const auto [low, high] = source_.heights(faces_[i].face);
-            if (low < 1 && high > -1) add(faces_[i].sign, resolvedParts(ball_, facets_, faces_[i].face));
-        }
+        const double turns = holdsCentre() ? 1 : 0;
         volume_ = 4 * pi / 3 * turns - sum_.volume;
         patch_ = 4 * pi * turns - sum_.patch;
+    }
+
+    void resolve()
+    {
+        sum_ = FaceParts();
+        for (std::size_t i = 0; i < cell_.nFaces; ++i)
+        {
+            const auto [low, high] = source_.heights(cell_.faces[i].face);
+            if (low < 1 && high > -1) add(cell_.faces[i].sign, resolvedParts(ball_, cell_.facets, cell_.faces[i].face));
+        }
+        takeInnerParts();
     }
 
     BallOverlap wholeBall() const
@@ -161,20 +180,17 @@ private:
         for (int d = 0; d < 3; ++d)
         {
             const double arm = std::clamp(sum_.moment[d], -volume, volume) / volume;
-            result.centroid[d] = std::clamp(ball_.centre[d] + r * arm, shape_.low[d], shape_.high[d]);
+            result.centroid[d] = std::clamp(ball_.centre[d] + r * arm, cell_.shape.low[d], cell_.shape.high[d]);
         }
         return result;
     }
 
     const UnitBall& ball_;
-    const Facets& facets_;
-    const CellShape& shape_;
-    const CellFace* faces_;
-    std::size_t nFaces_;
+    CellView cell_;
     Source& source_;
 
     double inward_ = 1e300, volume_ = 0, patch_ = 0;
-    bool reached_ = false, near_ = false, resolved_ = true;
+    bool reached_ = false, near_ = false, resolved_ = true, holdsBall_ = false;
     FaceParts sum_;
 };
 

@@ -21,13 +21,11 @@ public:
     /// the volume is not positive.
     Polyhedron(const std::vector<Point3>& vertices, const std::vector<std::vector<int>>& faces);
 
-    const CellShape& shape() const { return shape_; }
     double volume() const { return shape_.volume; }             ///< [m^3]
     const Point3& centroid() const { return shape_.centroid; }  ///< [m]
     std::size_t nFaces() const { return faces_.size(); }
 
-    const Facets& facets() const { return facets_; }
-    const std::vector<CellFace>& faces() const { return faces_; }
+    CellView view() const { return {facets_, shape_, faces_.data(), faces_.size()}; }
     const std::vector<Point3>& vertices() const { return vertices_; }
 
 private:

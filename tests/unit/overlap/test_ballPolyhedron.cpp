@@ -92,7 +92,7 @@ TEST(BallPolyhedron, CoveredCellIsTheCellExactly)
     EXPECT_EQ(x.centroid, tet.centroid());
     EXPECT_EQ(x.wettedArea, 0);
     const std::vector<double> areas = ballFaceAreas({0, 0, 0}, 1, tet);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(areas[k], tet.facets().faceArea(k), 2e-16);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(areas[k], tet.view().facets.faceArea(k), 2e-16);
 }
 
 TEST(BallPolyhedron, DisjointPairIsEmptyAndItsCentroidTheCentre)
@@ -311,6 +311,6 @@ TEST(BallPolyhedron, FacesAndWettedSurfaceClose)
     const BallOverlap x = ballPolyhedron({0.1, 0.2, 0}, 1, tet);
     const std::vector<double> areas = ballFaceAreas({0.1, 0.2, 0}, 1, tet);
     Point3 sum = x.wettedVector;
-    for (std::size_t k = 0; k < 4; ++k) sum += areas[k] * tet.facets().begin(k)->normal;
+    for (std::size_t k = 0; k < 4; ++k) sum += areas[k] * tet.view().facets.begin(k)->normal;
     EXPECT_LT(sum.norm(), 2e-15);
 }

@@ -86,7 +86,6 @@ TEST(BallSlivers, CornersEdgesAndFacesThatDipIntoTheBallKeepTheirRelativeAccurac
     EXPECT_LT(errors.centroid, 20);
     EXPECT_LT(errors.patch, 4e-15);
     EXPECT_GT(errors.count, 900);
-    printf("%g %g %g %d\n", errors.volume, errors.centroid, errors.patch, errors.count);
 }
 
 TEST(BallSlivers, SmallCellsAtTheSphereKeepTheirRelativeAccuracy)
@@ -111,5 +110,4 @@ TEST(BallSlivers, SmallCellsAtTheSphereKeepTheirRelativeAccuracy)
     EXPECT_LT(errors.centroid, 20);
     EXPECT_LT(errors.patch, 4e-15);
     EXPECT_GT(errors.count, 500);
-    printf("%g %g %g %d\n", errors.volume, errors.centroid, errors.patch, errors.count);
 }

@@ -55,6 +55,11 @@ private:
     void measureWalls();
     void checkWallBody(int body, bool free, bool finite) const;
     int countSubSteps(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
+
+    /// Stop a run that has blown up, which would overflow or hang: throws std::runtime_error if a grain would move by
+    /// more than ten thousand sub-steps allow [m].
+    void requireReach(double farthest, double dt) const;
+
     FreeMotion freeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
     void advance(const FreeMotion& free, double dt, StepReport& report);
     void updateCandidates(const FreeMotion& free, double dt);

@@ -56,7 +56,9 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     const double subStep = dt / report.subSteps;
     for (int s = 0; s < report.subSteps; ++s)
     {
-        advance(freeMotion(force, torque, subStep), subStep, report);
+        const FreeMotion free = freeMotion(force, torque, subStep);
+        requireReach(subStep * free.largestSpeed, subStep);
+        advance(free, subStep, report);
     }
     lastTimeStep_ = dt;
 
@@ -75,14 +77,19 @@ int ContactDynamics<D>::Implementation::countSubSteps(const Vectors<D>& force, c
                                                       double dt) const
 {
     const double farthest = dt * freeMotion(force, torque, dt).largestSpeed;
-    const double subSteps = std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_));
-    constexpr double maxSubSteps = 10000;   // a run that has blown up must stop, not hang
-    if (!(subSteps <= maxSubSteps))
+    requireReach(farthest, dt);
+    return std::max(1, static_cast<int>(std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_))));
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt) const
+{
+    constexpr double maxSubSteps = 10000;
+    if (!(farthest <= maxSubSteps * settings_.maxDisplacement * 2 * smallestRadius_))
     {
         throw std::runtime_error("a grain would move by " + std::to_string(farthest) + " m in a step of " +
                                  std::to_string(dt) + " s: too far for sub-steps");
     }
-    return std::max(1, static_cast<int>(subSteps));
 }
 
 template <int D>

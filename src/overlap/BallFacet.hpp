@@ -16,8 +16,7 @@ struct BallFacet
 {
     BallFacet(const UnitBall& ball, const Facet& facet)
         : scale(ball.scale), signedHeight(height(ball, facet)), h(std::abs(signedHeight)), a2((1 - h) * (1 + h)),
-          foot(facet.tangent1.dot(ball.centre - facet.origin), facet.tangent2.dot(ball.centre - facet.origin)),
-          low((facet.low - foot) * scale), high((facet.high - foot) * scale)
+          foot(facet.inFrame(ball.centre)), low((facet.low - foot) * scale), high((facet.high - foot) * scale)
     {
     }
 

@@ -3,22 +3,29 @@
 
 #include "overlap/BallMesh.hpp"
 
+#include "overlap/BallPolyhedron.hpp"
 #include "overlap/CellSum.hpp"
+#include "overlap/Clip.hpp"
 
 namespace overlap
 {
 
-BallMesh::BallMesh(const PolyhedralMesh& mesh) : mesh_(mesh), place_(mesh.nFaces()), ballOf_(mesh.nFaces(), 0) {}
+BallMesh::BallMesh(const PolyhedralMesh& mesh) : mesh_(mesh), faces_(mesh.nFaces()) {}
 
-const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double radius)
+const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double radius, int hint)
 {
     ball_ = unitBall(centre, radius);
     overlaps_.clear();
-    faces_.clear();
+    parts_.clear();
     if (++ballNumber_ == 0)
     {
-        std::fill(ballOf_.begin(), ballOf_.end(), 0);
+        faces_.assign(faces_.size(), Face());
         ballNumber_ = 1;
+    }
+    if (hint >= 0 && static_cast<std::size_t>(hint) < mesh_.nCells() && holdsBall(hint))
+    {
+        overlaps_.push_back({wholeBall(ball_), hint, false});
+        return overlaps_;
     }
 
     bool isNear = false;
@@ -30,10 +37,12 @@ const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double 
     const auto addPart = [&](int cell)
     {
         const auto vertex = [&](std::size_t k) -> const Point3& { return mesh_.cellVertex(cell, k); };
-        if (covers(centre, radius, mesh_.nCellVertices(cell), vertex)) return addCovered(cell);
+        const CellView view = mesh_.view(cell);
+        const bool mayBeCovered = (view.shape.high - view.shape.low).maxCoeff() <= 2 * radius;
+        if (mayBeCovered && covers(centre, radius, mesh_.nCellVertices(cell), vertex)) return addCovered(cell);
 
         Source source{*this};
-        CellSum<Source> sum(ball_, mesh_.view(cell), source);
+        CellSum<Source> sum(ball_, view, source);
         const BallOverlap part = sum.overlap();
         if (part.volume > 0) overlaps_.push_back({part, cell, false});
         isNear = isNear || sum.isNear();
@@ -45,6 +54,44 @@ const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double 
     // one of them for all cells, whose sum then does not depend on it
     if (isNear) useOuterForm();
     return overlaps_;
+}
+
+const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double radius,
+                                                   const std::vector<HalfSpace<3>>& halfSpaces)
+{
+    overlaps(centre, radius);
+    for (CellOverlap& part : overlaps_) cut(part, halfSpaces);
+    removeEmpty();
+    return overlaps_;
+}
+
+void BallMesh::cut(CellOverlap& part, const std::vector<HalfSpace<3>>& halfSpaces) const
+{
+    const CellShape& shape = mesh_.view(part.cell).shape;
+    const Point3 middle = 0.5 * (shape.low + shape.high), half = 0.5 * (shape.high - shape.low);
+    std::vector<const HalfSpace<3>*> cutting;
+    for (const HalfSpace<3>& halfSpace : halfSpaces)
+    {
+        const double distance = halfSpace.distance(middle), reach = halfSpace.normal.cwiseAbs().dot(half);
+        if (distance <= -reach) continue;
+        if (distance >= reach)
+        {
+            part.volume = 0;
+            return;
+        }
+        cutting.push_back(&halfSpace);
+    }
+    if (cutting.empty()) return;
+
+    Polyhedron cell = mesh_.polyhedron(part.cell);
+    for (const HalfSpace<3>* halfSpace : cutting) cell = clipped(cell, *halfSpace);
+    static_cast<BallOverlap&>(part) = ballPolyhedron(ball_.centre, ball_.radius, cell);
+}
+
+void BallMesh::removeEmpty()
+{
+    const auto isEmpty = [](const CellOverlap& part) { return part.volume == 0; };
+    overlaps_.erase(std::remove_if(overlaps_.begin(), overlaps_.end(), isEmpty), overlaps_.end());
 }
 
 void BallMesh::useOuterForm()
@@ -65,26 +112,34 @@ double BallMesh::faceArea(int face)
     return parts(face).area * ball_.radius * ball_.radius;
 }
 
-BallMesh::Face& BallMesh::find(std::size_t face)
+bool BallMesh::holdsBall(int cell)
 {
-    if (ballOf_[face] != ballNumber_)
+    const CellView view = mesh_.view(cell);
+    if (!view.shape.convex) return false;
+    for (std::size_t i = 0; i < view.nFaces; ++i)
     {
-        ballOf_[face] = ballNumber_;
-        place_[face] = static_cast<std::uint32_t>(faces_.size());
-        faces_.push_back({heightRange(ball_, mesh_.facets(), face), false, FaceParts()});
+        const auto [low, high] = face(view.faces[i].face).heights;
+        if ((view.faces[i].sign > 0 ? low : -high) < 1) return false;
     }
-    return faces_[place_[face]];
+    return true;
 }
 
-const FaceParts& BallMesh::parts(std::size_t face)
+BallMesh::Face& BallMesh::face(std::size_t i)
 {
-    Face& found = find(face);
-    if (!found.hasParts)
+    Face& found = faces_[i];
+    if (found.ball != ballNumber_) found = {ballNumber_, -1, heightRange(ball_, mesh_.facets(), i)};
+    return found;
+}
+
+const FaceParts& BallMesh::parts(std::size_t i)
+{
+    Face& found = face(i);
+    if (found.parts < 0)
     {
-        found.parts = innerParts(ball_, mesh_.facets(), face);
-        found.hasParts = true;
+        found.parts = static_cast<std::int32_t>(parts_.size());
+        parts_.push_back(innerParts(ball_, mesh_.facets(), i));
     }
-    return found.parts;
+    return parts_[found.parts];
 }
 
 }  // namespace overlap

@@ -6,6 +6,7 @@
 #include "overlap/BallFace.hpp"
 #include "overlap/BallOverlap.hpp"
 #include "overlap/PolyhedralMesh.hpp"
+#include "overlap/PowerCell.hpp"
 
 #include <vector>
 
@@ -35,38 +36,49 @@ public:
     /// The cells that the ball of the given centre and radius > 0 [m] overlaps, each once, in an order that depends on
     /// the mesh alone.  Valid until the next call.  Throws std::invalid_argument if the radius is not positive or a
     /// number is not finite.
-    const std::vector<CellOverlap>& overlaps(const Point3& centre, double radius);
+    ///
+    /// The cell `hint` is tried first: if it is convex and holds the whole ball, as a large cell may have done before
+    /// the ball moved a little, nothing is searched.
+    const std::vector<CellOverlap>& overlaps(const Point3& centre, double radius, int hint = -1);
 
-    /// Area of a face within the ball of the last call [m^2].
+    /// The same for what is left of the ball in half-spaces: with those of powerCell, for a member of a cluster, such
+    /// that nothing is counted twice where members overlap.  The wetted surface is what they do not cut off.
+    const std::vector<CellOverlap>& overlaps(const Point3& centre, double radius,
+                                             const std::vector<HalfSpace<3>>& halfSpaces);
+
+    /// Area of a face within the ball of the last call [m^2], half-spaces or not.
     double faceArea(int face);
 
 private:
+    /// Of a face that this ball has asked for, if its number is the ball's.
     struct Face
     {
+        std::uint32_t ball = 0;
+        std::int32_t parts = -1;  ///< place in parts_, -1 as long as nobody has asked for them
         std::pair<double, double> heights;
-        bool hasParts;
-        FaceParts parts;
     };
 
     /// What CellSum asks for.
     struct Source
     {
         BallMesh& owner;
-        const std::pair<double, double>& heights(std::size_t face) { return owner.find(face).heights; }
+        const std::pair<double, double>& heights(std::size_t face) { return owner.face(face).heights; }
         const FaceParts& parts(std::size_t face) { return owner.parts(face); }
     };
 
-    Face& find(std::size_t face);
-    const FaceParts& parts(std::size_t face);
+    Face& face(std::size_t i);
+    const FaceParts& parts(std::size_t i);
+    bool holdsBall(int cell);
     void useOuterForm();
+    void cut(CellOverlap& part, const std::vector<HalfSpace<3>>& halfSpaces) const;
+    void removeEmpty();
 
     const PolyhedralMesh& mesh_;
     UnitBall ball_{Point3::Zero(), 1, 1};
     std::vector<CellOverlap> overlaps_;
 
-    std::vector<Face> faces_;            ///< those that this ball has asked for
-    std::vector<std::uint32_t> place_;   ///< of a face among them
-    std::vector<std::uint32_t> ballOf_;  ///< number of the ball that place_ is for
+    std::vector<Face> faces_;       ///< of the mesh
+    std::vector<FaceParts> parts_;  ///< that this ball has asked for
     std::uint32_t ballNumber_ = 0;
 };
 

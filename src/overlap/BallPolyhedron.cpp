@@ -28,7 +28,7 @@ BallOverlap ballPolyhedron(const Point3& centre, double radius, const Polyhedron
     const UnitBall ball = unitBall(centre, radius);
     const CellView view = cell.view();
     const CellShape& shape = view.shape;
-    if (!meets(centre, radius, shape.low, shape.high)) return noOverlap(centre);
+    if (!(shape.volume > 0) || !meets(centre, radius, shape.low, shape.high)) return noOverlap(centre);
 
     const std::vector<Point3>& vertices = cell.vertices();
     if (covers(centre, radius, vertices.size(), [&](std::size_t k) -> const Point3& { return vertices[k]; }))

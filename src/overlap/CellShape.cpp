@@ -45,7 +45,8 @@ CellShape cellShape(const Facets& facets, const CellFace* faces, std::size_t nFa
     {
         const AreaMoment plane = polygon(facets.vertices(facet), facets.nVertices(facet));
         const Point3 origin = facet.origin - middle;
-        const Point3 centroid = origin + plane.centroid.x() * facet.tangent1 + plane.centroid.y() * facet.tangent2;
+        const Point3 centroid =
+            origin + plane.centroid.x() * facet.tangent + plane.centroid.y() * facet.normal.cross(facet.tangent);
         const double cone = sign * facet.normal.dot(origin) * plane.area / 3;
         shape.volume += cone;
         moment += 0.75 * cone * centroid;

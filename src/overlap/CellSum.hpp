@@ -18,6 +18,12 @@ inline BallOverlap noOverlap(const Point3& centre)
     return {0, centre, 0, Point3::Zero()};
 }
 
+inline BallOverlap wholeBall(const UnitBall& ball)
+{
+    const double r = ball.radius;
+    return {4 * pi / 3 * r * r * r, ball.centre, 4 * pi * r * r, Point3::Zero()};
+}
+
 /// Whether ball and box overlap.
 inline bool meets(const Point3& centre, double radius, const Point3& low, const Point3& high)
 {
@@ -61,7 +67,7 @@ public:
         if (!reached_)
         {
             holdsBall_ = holdsCentre();
-            return holdsBall_ ? wholeBall() : none;
+            return holdsBall_ ? wholeBall(ball_) : none;
         }
 
         if (near_ || form == Form::outer)
@@ -160,12 +166,6 @@ private:
             if (low < 1 && high > -1) add(cell_.faces[i].sign, resolvedParts(ball_, cell_.facets, cell_.faces[i].face));
         }
         takeInnerParts();
-    }
-
-    BallOverlap wholeBall() const
-    {
-        const double r = ball_.radius;
-        return {4 * pi / 3 * r * r * r, ball_.centre, 4 * pi * r * r, Point3::Zero()};
     }
 
     BallOverlap scaled() const

@@ -6,7 +6,6 @@
 #include "overlap/DiscPolygon.hpp"
 
 #include <algorithm>
-#include <Eigen/Geometry>
 #include <limits>
 
 namespace overlap
@@ -47,8 +46,7 @@ Facet frameOf(const Point3& normal, const Point3& origin)
     frame.normal = normal;
     int axis;
     normal.cwiseAbs().minCoeff(&axis);
-    frame.tangent1 = (Point3::Unit(axis) - normal[axis] * normal).normalized();
-    frame.tangent2 = normal.cross(frame.tangent1);
+    frame.tangent = (Point3::Unit(axis) - normal[axis] * normal).normalized();
     return frame;
 }
 
@@ -118,8 +116,7 @@ void Facets::addFacet(const Facet& frame, const Point3* vertices, std::size_t n)
     facet.begin = static_cast<std::uint32_t>(vertices_.size());
     for (std::size_t k = 0; k < n; ++k)
     {
-        const Point3 x = vertices[k] - facet.origin;
-        const Point2 q(facet.tangent1.dot(x), facet.tangent2.dot(x));
+        const Point2 q = facet.inFrame(vertices[k]);
         facet.low = k == 0 ? q : Point2(facet.low.cwiseMin(q));
         facet.high = k == 0 ? q : Point2(facet.high.cwiseMax(q));
         vertices_.push_back(q);

@@ -5,18 +5,27 @@
 
 #include "overlap/Types.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <vector>
 
 namespace overlap
 {
 
-/// A plane polygon with a frame in its plane, counter-clockwise about its normal.
-struct Facet
+/// A plane polygon, counter-clockwise about its normal, with a frame in its plane: tangent and normal x tangent.
+struct alignas(64) Facet
 {
-    Point3 origin, normal, tangent1, tangent2;
-    Point2 low, high;          ///< bounds of the vertices in the frame
+    Point3 origin, normal;     ///< with begin and end one line of cache: all that most balls ask for
     std::uint32_t begin, end;  ///< its vertices
+    Point3 tangent;
+    Point2 low, high;  ///< bounds of the vertices in the frame
+
+    Point2 inFrame(const Point3& x) const
+    {
+        const Point3 d = x - origin;
+        return {tangent.dot(d), normal.cross(tangent).dot(d)};
+    }
 };
 
 /// Faces of polyhedra, prepared once for the overlap with many balls.

@@ -112,6 +112,21 @@ void PolyhedralMesh::connect()
     shapes_.resize(n);
 }
 
+Polyhedron PolyhedralMesh::polyhedron(std::size_t cell) const
+{
+    Facets facets;
+    std::vector<Point3> vertices, loops;
+    for (std::size_t i = 0; i < nCellFaces(cell); ++i)
+    {
+        const auto [face, sign] = cellFaces(cell)[i];
+        vertices.clear();
+        for (int k = faceStart_[face]; k < faceStart_[face + 1]; ++k) vertices.push_back(points_[faceVertices_[k]]);
+        if (sign < 0) std::reverse(vertices.begin(), vertices.end());
+        facets.addFace(vertices.data(), vertices.size(), &loops);
+    }
+    return Polyhedron(std::move(facets), std::move(loops));
+}
+
 void PolyhedralMesh::prepare()
 {
     for (std::size_t k = 0; k < points_.size(); ++k)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "overlap/CellTree.hpp"
-#include "overlap/Facets.hpp"
+#include "overlap/Polyhedron.hpp"
 
 #include <vector>
 
@@ -36,6 +36,9 @@ public:
 
     CellView view(std::size_t cell) const { return {facets_, shapes_[cell], cellFaces(cell), nCellFaces(cell)}; }
     const Facets& facets() const { return facets_; }
+
+    /// A cell by itself; its faces are the mesh's facets.
+    Polyhedron polyhedron(std::size_t cell) const;
     const CellTree& tree() const { return tree_; }
 
     const CellFace* cellFaces(std::size_t cell) const { return cellFaces_.data() + cellFaceStart_[cell]; }

@@ -11,9 +11,8 @@ namespace overlap
 {
 
 Polyhedron::Polyhedron(const std::vector<Point3>& vertices, const std::vector<std::vector<int>>& faces)
-    : vertices_(vertices)
 {
-    for (const Point3& v : vertices_)
+    for (const Point3& v : vertices)
     {
         if (!isFinite(v)) throw std::invalid_argument("Polyhedron: a vertex is not finite");
     }
@@ -25,23 +24,33 @@ Polyhedron::Polyhedron(const std::vector<Point3>& vertices, const std::vector<st
         loop.clear();
         for (const int k : face)
         {
-            if (k < 0 || k >= static_cast<int>(vertices_.size()))
+            if (k < 0 || k >= static_cast<int>(vertices.size()))
             {
                 throw std::invalid_argument("Polyhedron: no vertex has the index " + std::to_string(k));
             }
-            loop.push_back(vertices_[k]);
+            loop.push_back(vertices[k]);
         }
-        faces_.push_back({static_cast<std::uint32_t>(faces_.size()), 1});
-        facets_.addFace(loop.data(), loop.size());
+        facets_.addFace(loop.data(), loop.size(), &loops_);
     }
-    if (faces_.size() < 4) throw std::invalid_argument("Polyhedron: fewer than 4 faces");
+    if (faces.size() < 4) throw std::invalid_argument("Polyhedron: fewer than 4 faces");
+    prepare();
 
     if (gap(facets_, faces_.data(), faces_.size()) > 1e-6)
     {
         throw std::invalid_argument("Polyhedron: the faces do not close");
     }
-    shape_ = cellShape(facets_, faces_.data(), faces_.size(), vertices_.data(), vertices_.size());
     if (!(shape_.volume > 0)) throw std::invalid_argument("Polyhedron: the volume is not positive");
+}
+
+Polyhedron::Polyhedron(Facets facets, std::vector<Point3> loops) : facets_(std::move(facets)), loops_(std::move(loops))
+{
+    prepare();
+}
+
+void Polyhedron::prepare()
+{
+    for (std::uint32_t face = 0; face < facets_.nFaces(); ++face) faces_.push_back({face, 1});
+    if (!loops_.empty()) shape_ = cellShape(facets_, faces_.data(), faces_.size(), loops_.data(), loops_.size());
 }
 
 }  // namespace overlap

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "overlap/BallOverlap.hpp"
 #include "overlap/CellShape.hpp"
 
 #include <vector>
@@ -21,18 +20,39 @@ public:
     /// the volume is not positive.
     Polyhedron(const std::vector<Point3>& vertices, const std::vector<std::vector<int>>& faces);
 
+    /// Of facets that close and may bound nothing.  Vertices of the facets follow each other in loops.
+    Polyhedron(Facets facets, std::vector<Point3> loops);
+
     double volume() const { return shape_.volume; }             ///< [m^3]
     const Point3& centroid() const { return shape_.centroid; }  ///< [m]
     std::size_t nFaces() const { return faces_.size(); }
 
     CellView view() const { return {facets_, shape_, faces_.data(), faces_.size()}; }
-    const std::vector<Point3>& vertices() const { return vertices_; }
+    const std::vector<Point3>& vertices() const { return loops_; }  ///< of all facets [m]
+
+    /// f(facet, vertices, number of vertices) for all facets.
+    template <class F>
+    void forLoops(F&& f) const;
 
 private:
-    std::vector<Point3> vertices_;
+    void prepare();
+
     Facets facets_;
+    std::vector<Point3> loops_;
     std::vector<CellFace> faces_;
-    CellShape shape_;
+    CellShape shape_{Point3::Zero(), Point3::Zero(), Point3::Zero(), 0, true};
 };
+
+template <class F>
+void Polyhedron::forLoops(F&& f) const
+{
+    for (std::size_t face = 0; face < facets_.nFaces(); ++face)
+    {
+        for (const Facet* facet = facets_.begin(face); facet != facets_.end(face); ++facet)
+        {
+            f(*facet, loops_.data() + facet->begin, facets_.nVertices(*facet));
+        }
+    }
+}
 
 }  // namespace overlap

@@ -44,6 +44,19 @@ inline Cell tetrahedron(const Point3& a, const Point3& b, const Point3& c, const
     return {{a, right ? b : c, right ? c : b, d}, tetFaces};
 }
 
+/// The squares (0, 0)-(2, 1) and (0, 1)-(1, 2) over 0 < z < 1.
+inline Cell extrudedL()
+{
+    Cell cell{{}, {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}}};
+    const double corners[][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    for (const double z : {0., 1.})
+    {
+        for (const auto& p : corners) cell.vertices.emplace_back(p[0], p[1], z);
+    }
+    for (int k = 0; k < 6; ++k) cell.faces.push_back({k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6});
+    return cell;
+}
+
 inline BallOverlap ballCell(const Point3& centre, double radius, const Cell& cell)
 {
     return ballPolyhedron(centre, radius, Polyhedron(cell.vertices, cell.faces));

@@ -210,18 +210,7 @@ TEST(BallPolyhedron, NearlyTangentFaceIsContinuous)
 
 TEST(BallPolyhedron, NonConvexCellIsTheSumOfItsConvexParts)
 {
-    // An L extruded over 0 < z < 1
-    std::vector<Point3> v;
-    for (const double z : {0., 1.})
-    {
-        for (const Point2& p : {Point2(0, 0), Point2(2, 0), Point2(2, 1), Point2(1, 1), Point2(1, 2), Point2(0, 2)})
-        {
-            v.emplace_back(p.x(), p.y(), z);
-        }
-    }
-    Cell cell{v, {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}}};
-    for (int k = 0; k < 6; ++k) cell.faces.push_back({k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6});
-
+    const Cell cell = extrudedL();
     for (const double x : {-0.5, 0.0, 0.5, 0.99, 1.0, 1.3, 1.7})
     {
         for (const double y : {-0.4, 0.3, 1.0, 1.2})

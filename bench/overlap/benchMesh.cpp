@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Balls in a mesh of cubes, of hexahedra with warped faces and of tetrahedra: time per ball and per cell overlapped,
+// and the share of the search.
+
+#include "../../tests/unit/overlap/Meshes.hpp"
+#include "overlap/BallMesh.hpp"
+
+#include <chrono>
+#include <cstdio>
+
+using namespace overlap;
+
+namespace
+{
+
+double seconds(const std::function<void()>& f)
+{
+    double best = 1e300;
+    for (int pass = 0; pass < 5; ++pass)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        f();
+        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return best;
+}
+
+}  // namespace
+
+int main()
+{
+    const int n = 40;
+    std::printf("%-20s %8s %14s %14s %12s %8s\n", "mesh", "h/d", "us per ball", "cells per ball", "ns per cell",
+                "search");
+    for (const std::string kind : {"rotated", "warped", "rotated tetrahedra"})
+    {
+        const PolyhedralMesh mesh = blockOfKind(kind, n, {0, 0, 0}).mesh();
+        BallMesh ball(mesh);
+        for (const double h : {1. / 30, 0.1, 1. / 3, 1., 3., 10., 30.})
+        {
+            const double r = 0.5 / h, free = n / 2 - r - 1;
+            const int nBalls = h < 0.05 ? 4 : h < 0.3 ? 40 : 2000;
+            std::mt19937 random(9);
+            std::uniform_real_distribution<double> unit(-0.5, 0.5);
+            std::vector<Point3> centres;
+            for (int k = 0; k < nBalls; ++k) centres.push_back(free * Point3(unit(random), unit(random), unit(random)));
+
+            double cells = 0, sum = 0;
+            const double all = seconds(
+                [&]
+                {
+                    cells = 0;
+                    for (const Point3& c : centres) cells += static_cast<double>(ball.overlaps(c, r).size());
+                });
+            const double search = seconds(
+                [&]
+                {
+                    const auto count = [&](int c)
+                    {
+                        sum += c;
+                        return true;
+                    };
+                    for (const Point3& c : centres) mesh.tree().forCells(c, r, count, count);
+                });
+            std::printf("%-20s %8.4f %14.2f %14.1f %12.0f %7.1f%%\n", kind.c_str(), h, 1e6 * all / nBalls,
+                        cells / nBalls, 1e9 * all / cells, sum > 0 ? 100 * search / all : 0);
+        }
+    }
+}

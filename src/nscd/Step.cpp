@@ -85,7 +85,7 @@ template <int D>
 void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt) const
 {
     constexpr double maxSubSteps = 10000;
-    if (!(farthest <= maxSubSteps * settings_.maxDisplacement * 2 * smallestRadius_))
+    if (!(farthest / (settings_.maxDisplacement * 2 * smallestRadius_) <= maxSubSteps))
     {
         throw std::runtime_error("a grain would move by " + std::to_string(farthest) + " m in a step of " +
                                  std::to_string(dt) + " s: too far for sub-steps");

@@ -26,6 +26,7 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
 {
     validate(grains_, table_);
     validate(settings_, grains_);
+    validate<D>(settings_, walls_);
     contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
     measureGrains();

@@ -133,6 +133,28 @@ void validate(const Settings& s)
     }
 }
 
+template <>
+void validate<2>(const Settings&, const Walls<2>&)
+{
+}
+
+template <>
+void validate<3>(const Settings& settings, const Walls<3>& walls)
+{
+    for (std::size_t w = 0; w < walls.size(); ++w)
+    {
+        const auto* plane = std::get_if<Plane>(&walls[w]);
+        for (int axis = 0; plane && axis < 3; ++axis)
+        {
+            if (settings.period[axis] > 0 && std::abs(plane->normal[axis]) > 1e-12 * plane->normal.norm())
+            {
+                refuse("settings: period ", settings.period[axis], " m, but wall ", w,
+                       " is a plane across it, which has no periodic image; use triangles");
+            }
+        }
+    }
+}
+
 template <int D>
 void validate(const Settings& settings, const Grains<D>& grains)
 {

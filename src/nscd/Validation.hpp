@@ -26,6 +26,10 @@ void checkSpin(const Walls<D>& walls, int body, const Spin<D>& spin);
 
 void validate(const Settings& settings);
 
+/// Do planes lie along a periodic box?  Both must be valid on their own.
+template <int D>
+void validate(const Settings& settings, const Walls<D>& walls);
+
 /// Is a periodic box wide enough for its grains?  Both must be valid on their own.
 template <int D>
 void validate(const Settings& settings, const Grains<D>& grains);

@@ -5,6 +5,8 @@
 
 #include "Scene.hpp"
 
+#include <algorithm>
+
 /// Random numbers with the distributions that scenes are drawn from.
 class Draw
 {
@@ -295,6 +297,16 @@ void RandomScene<D>::addWalls()
     if (draw_.chance(0.6))
     {
         scene.addBox(nscd::Vector<D>::Constant(side_));
+        if constexpr (D == 3)
+        {
+            const auto crosses = [this](const auto& wall)   // a periodic direction
+            {
+                const nscd::Vector<3>& normal = std::get<nscd::Plane>(wall).normal;
+                const auto& period = scene.settings.period;
+                return normal.dot(nscd::Vector<3>(period[0], period[1], period[2])) != 0;
+            };
+            scene.walls.erase(std::remove_if(scene.walls.begin(), scene.walls.end(), crosses), scene.walls.end());
+        }
     }
     if (scene.walls.empty() || draw_.chance(0.5))
     {

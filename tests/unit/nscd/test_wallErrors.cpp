@@ -120,3 +120,21 @@ TEST(WallBodies, WithSenselessValuesAreRefused)
     bad.orientation.coeffs() *= 2;
     EXPECT_EQ(refusalOf(bad), "wall body 0: orientation is not a rotation");
 }
+
+TEST(Planes, AcrossAPeriodicBoxAreRefused)
+{
+    nscd::Settings settings;
+    settings.period = {5, 0, 0};
+    EXPECT_NO_THROW(nscd::validate<3>(settings, {nscd::Plane{{0, 0, 0}, {0, 0.6, 0.8}}}));
+    try
+    {
+        nscd::validate<3>(settings, {nscd::Plane{{0, 0, 0}, {0, 0, 1}}, nscd::Plane{{0, 0, 0}, {-0.6, 0, 0.8}}});
+        FAIL() << "accepted";
+    }
+    catch (const std::invalid_argument& error)
+    {
+        EXPECT_STREQ(error.what(),
+                     "settings: period 5 m, but wall 1 is a plane across it, which has no periodic image; use "
+                     "triangles");
+    }
+}

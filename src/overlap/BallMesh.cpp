@@ -38,8 +38,7 @@ const std::vector<CellOverlap>& BallMesh::overlaps(const Point3& centre, double 
     {
         const auto vertex = [&](std::size_t k) -> const Point3& { return mesh_.cellVertex(cell, k); };
         const CellView view = mesh_.view(cell);
-        const bool mayBeCovered = (view.shape.high - view.shape.low).maxCoeff() <= 2 * radius;
-        if (mayBeCovered && covers(centre, radius, mesh_.nCellVertices(cell), vertex)) return addCovered(cell);
+        if (covers(centre, radius, view.shape, mesh_.nCellVertices(cell), vertex)) return addCovered(cell);
 
         Source source{*this};
         CellSum<Source> sum(ball_, view, source);

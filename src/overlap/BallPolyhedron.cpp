@@ -31,7 +31,7 @@ BallOverlap ballPolyhedron(const Point3& centre, double radius, const Polyhedron
     if (!(shape.volume > 0) || !meets(centre, radius, shape.low, shape.high)) return noOverlap(centre);
 
     const std::vector<Point3>& vertices = cell.vertices();
-    if (covers(centre, radius, vertices.size(), [&](std::size_t k) -> const Point3& { return vertices[k]; }))
+    if (covers(centre, radius, shape, vertices.size(), [&](std::size_t k) -> const Point3& { return vertices[k]; }))
     {
         return {shape.volume, shape.centroid, 0, Point3::Zero()};
     }

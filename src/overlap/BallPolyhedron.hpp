@@ -16,9 +16,11 @@ namespace overlap
 /// needs the faces alone, because (|x|^2 - R^2) e_k has the divergence 2 x_k and vanishes on the sphere).  No case is
 /// distinguished for the position of vertices and edges.
 ///
-/// Errors, for coordinates that are not larger than ball and polyhedron: volume 1e-14, wetted area 1e-14, first moment
-/// 2e-15 of the ball's volume, area, and volume times radius; a small overlap keeps its relative accuracy as far as
-/// the rounding of the input does.
+/// Errors of volume and wetted area are below 2e-15 of the ball's, those of the first moment below 3e-16 of its volume
+/// times radius, each times the distance of the polyhedron's farthest vertex from the centre in radii where that is
+/// larger than one (coordinates are rounded to that).  Overlaps much smaller than the ball keep their relative accuracy
+/// to 20 eps times the relative change per relative shift of the surfaces that bound them.  The polyhedron may be 1e-3
+/// to 1e3 times as large as the ball, and more with these errors.
 ///
 /// The published method is that of Strobl, Formella and Poeschel, J. Comput. Phys. 311 (2016) 158,
 /// doi:10.1016/j.jcp.2016.02.003 (inclusion and exclusion of caps and wedges, volume of convex cells).

@@ -30,10 +30,11 @@ inline bool meets(const Point3& centre, double radius, const Point3& low, const 
     return (centre.cwiseMax(low).cwiseMin(high) - centre).squaredNorm() < radius * radius;
 }
 
-/// Whether all vertices f(0), f(1), ..., f(n - 1) are in the ball, and with them what they span.
+/// Whether all vertices f(0), f(1), ..., f(n - 1) of a cell are in the ball, and with them the cell.
 template <class Vertex>
-bool covers(const Point3& centre, double radius, std::size_t n, Vertex&& f)
+bool covers(const Point3& centre, double radius, const CellShape& shape, std::size_t n, Vertex&& f)
 {
+    if ((shape.high - shape.low).maxCoeff() > 2 * radius) return false;
     for (std::size_t k = 0; k < n; ++k)
     {
         if ((f(k) - centre).squaredNorm() > radius * radius) return false;

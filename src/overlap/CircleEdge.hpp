@@ -26,7 +26,8 @@ struct Chord
 /// measured from the point of its line that is nearest to the centre, which keeps the digits of edges much longer
 /// than the circle.
 template <class Pieces>
-inline void splitEdge(const Point2& p, double bp, const Point2& q, double bq, double a2, Pieces& pieces)
+[[gnu::always_inline]] inline void splitEdge(const Point2& p, double bp, const Point2& q, double bq, double a2,
+                                             Pieces& pieces)
 {
     const Point2 d = q - p, m = 0.5 * (p + q);
     const double bm = a2 - m.squaredNorm();

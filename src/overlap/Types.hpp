@@ -8,6 +8,11 @@
 #include <cmath>
 
 /// Exact intersections of grains with mesh cells: pure geometry, no bodies, no OpenFOAM.
+///
+/// Disc and polygon: DiscPolygon.hpp.  Ball and polyhedron: BallPolyhedron.hpp.  Ball and all cells of a mesh:
+/// PolyhedralMesh.hpp, BallMesh.hpp.  Clusters of discs or balls: PowerCell.hpp, with Clip.hpp for a cell by itself.
+/// Lengths are in any unit, areas and volumes in its square and cube; [m] below stands for it.  Nothing traps: the
+/// functions raise no floating-point exception but underflow and inexact.
 namespace overlap
 {
 

@@ -198,6 +198,32 @@ TEST(BallMesh, FollowsAMeshThatMoves)
     EXPECT_THROW(mesh.movePoints({}), std::invalid_argument);
 }
 
+TEST(BallMesh, AHintChangesNothing)
+{
+    const PolyhedralMesh mesh = blockOfKind("rotated", 4, {0, 0, 0}).mesh();
+    BallMesh plain(mesh), hinted(mesh);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int k = 0; k < 300; ++k)
+    {
+        const Point3 centre = Point3(unit(random), unit(random), unit(random));
+        const double r = k % 2 ? 0.05 : 0.4;
+        const std::vector<CellOverlap>& a = plain.overlaps(centre, r);
+        const int hints[] = {a[0].cell, static_cast<int>(random() % mesh.nCells()), -1, 1000000};
+        for (const int hint : hints)
+        {
+            const std::vector<CellOverlap>& b = hinted.overlaps(centre, r, hint);
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t i = 0; i < a.size(); ++i)
+            {
+                EXPECT_EQ(a[i].cell, b[i].cell);
+                EXPECT_EQ(a[i].volume, b[i].volume);
+                EXPECT_EQ(a[i].centroid, b[i].centroid);
+            }
+        }
+    }
+}
+
 TEST(BallMesh, RefusesBallsWithoutRadius)
 {
     const PolyhedralMesh mesh = block(2, false, same).mesh();

@@ -86,6 +86,16 @@ public:
         return Approach<D>{Vector<D>::UnitX(), gap};
     }
 
+    /// Do two grains that are not clusters stay apart by more than a margin >= 0 [m] when their separation changes by
+    /// 'motion' [m]?  What approach() says of it, to first order in the motion, without roots.
+    bool staysApart(const Pair& pair, double margin, const Vector<D>& motion) const
+    {
+        const Vector<D> toSecond = separation(pair);
+        const double reach = radius_[pair.first] + radius_[pair.second] + margin;
+        const double square = toSecond.squaredNorm(), later = square + toSecond.dot(motion);
+        return square > 0 && later > 0 && later * later > reach * reach * square;
+    }
+
     /// Penetration of a pair [m]; 0 when apart.
     double depth(const Pair& pair) const
     {

@@ -79,11 +79,11 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
         }
         for (int i = memberBegin_[block]; i < memberBegin_[block + 1]; ++i)
         {
-            neighbours.forNear(i,
+            neighbours.forNear(i, i,
                                [&](int j)
                                {
                                    std::vector<Pair>& pairs = found[blockOf_[j]];
-                                   if (j > i && body_[i] != body_[j] && !isListed(pairs, i, j))
+                                   if (body_[i] != body_[j] && !isListed(pairs, i, j))
                                    {
                                        pairs.push_back({i, j});
                                    }

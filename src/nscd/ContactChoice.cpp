@@ -72,12 +72,16 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
         for (std::size_t p = group.begin; p < group.end; ++p)
         {
             const Pair& pair = candidates_.pairs()[p];
+            const double radius = arrangement_.radius(pair);
+            if (!kept_[p] && staysApart(pair, margin * radius, bodies))
+            {
+                continue;
+            }
             const auto approach = arrangement_.approach(pair);
             if (!approach)
             {
                 continue;
             }
-            const double radius = arrangement_.radius(pair);
             const int i = candidates_.body(pair.first);
             if (approach->gap + dt_ * openingVelocity(pair, *approach, bodies) >= margin * radius && !kept_[p])
             {
@@ -119,6 +123,14 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
     // The velocity is that at the contact: only resistance to rolling asks for the spin besides
     bodies.push_back({wallVelocity(wallBody, arm), isLevered(pair) ? toTangent(wall.spin) : zeroTangent<D>(), 0});
     return static_cast<int>(bodies.size()) - 1;
+}
+
+template <int D>
+bool ContactProblem<D>::staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const
+{
+    return pair.second >= 0 && !arrangement_.hasClusters() &&
+           arrangement_.staysApart(pair, apart,
+                                   dt_ * (bodies[pair.second].velocity - bodies[pair.first].velocity));
 }
 
 template <int D>
@@ -230,6 +242,10 @@ double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
             continue;
         }
         const Pair& pair = candidates_.pairs()[p];
+        if (staysApart(pair, 0, bodies))
+        {
+            continue;
+        }
         const auto approach = arrangement_.approach(pair);
         if (!approach)
         {

@@ -102,7 +102,10 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 {
     for (Impulse<D>& impulse : impulses)
     {
-        impulse = {0, zeroTangent<D>(), zeroTangent<D>(), impulse.age};
+        if (impulse.normal > 0)
+        {
+            impulse = {0, zeroTangent<D>(), zeroTangent<D>(), impulse.age};
+        }
     }
     for (std::size_t k = 0; k < contacts_.size(); ++k)
     {

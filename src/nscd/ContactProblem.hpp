@@ -134,6 +134,9 @@ private:
     /// Place of a pair's second body; makes one for the point of contact of a moving wall.
     int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;
 
+    /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities.
+    bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const;
+
     bool isLevered(const Pair& pair) const;
     void addLevered(const Pair& pair, const Approach<D>& approach, const Impulse<D>& impulse, int j,
                     const std::vector<Body<D>>& bodies);

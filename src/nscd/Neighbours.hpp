@@ -18,9 +18,16 @@ public:
     Neighbours(const Vectors<D>& positions, const std::vector<double>& radii, double skin,
                const std::array<double, 3>& period);
 
-    /// Call f(j) for each neighbour j of i, and for each periodic image of one.
+    /// Call f(j) for each neighbour j > first of i, other than i, and for each periodic image of one.
     template <class F>
-    void forNear(int i, F&& f) const;
+    void forNear(int i, int first, F&& f) const;
+
+    /// For each neighbour.
+    template <class F>
+    void forNear(int i, F&& f) const
+    {
+        forNear(i, -1, f);
+    }
 
 private:
     struct Seat
@@ -48,7 +55,7 @@ private:
 
 template <int D>
 template <class F>
-void Neighbours<D>::forNear(int i, F&& f) const
+void Neighbours<D>::forNear(int i, int first, F&& f) const
 {
     const Vector<D>& x = positions_[i];
     const double reach = radii_[i] + skin_;
@@ -61,8 +68,12 @@ void Neighbours<D>::forNear(int i, F&& f) const
                                 for (int s = level.grid.begin()[cell]; s < level.grid.begin()[cell + 1]; ++s)
                                 {
                                     const Seat& seat = level.seats[s];
+                                    if (seat.index <= first || seat.index == i)
+                                    {
+                                        continue;
+                                    }
                                     const double distance = reach + seat.radius;
-                                    if (seat.index != i && (seat.x - x).squaredNorm() < distance * distance)
+                                    if ((seat.x - x).squaredNorm() < distance * distance)
                                     {
                                         f(seat.index);
                                     }

@@ -77,14 +77,7 @@ void SoftGrains<D>::findPairs()
     const Neighbours<D> neighbours(x_, radius_, margin_, period);
     for (int i = 0; i < static_cast<int>(x_.size()); ++i)
     {
-        neighbours.forNear(i,
-                           [&](int j)
-                           {
-                               if (j > i)
-                               {
-                                   pairs_.push_back({i, j});
-                               }
-                           });
+        neighbours.forNear(i, i, [&](int j) { pairs_.push_back({i, j}); });
     }
     xOfPairs_ = x_;
 }

@@ -3,8 +3,8 @@
 
 // A packed heap of 10 000 discs under its weight.
 //
-//     benchPacked make packed.csv                                 lets discs fall and settle; x, y, r
-//     benchPacked run packed.csv steps dt maxSweeps tolerance     CPU seconds per step, worst overlap over r
+//     benchPacked make packed.csv                                      lets discs fall and settle; x, y, r
+//     benchPacked run packed.csv steps dt maxSweeps tolerance solver   CPU seconds per step, worst overlap over r
 
 #include "nscd/Packing.hpp"
 #include "nscd/Random.hpp"
@@ -51,7 +51,7 @@ nscd::Grains<2> read(const char* name)
     return grains;
 }
 
-nscd::ContactDynamics<2> heap(nscd::Grains<2> grains, int sweeps, double tolerance)
+nscd::ContactDynamics<2> heap(nscd::Grains<2> grains, int sweeps, double tolerance, nscd::Solver solver)
 {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -64,6 +64,7 @@ nscd::ContactDynamics<2> heap(nscd::Grains<2> grains, int sweeps, double toleran
     nscd::Settings settings;
     settings.maxSweeps = sweeps;
     settings.tolerance = tolerance;
+    settings.solver = solver;
     return {std::move(grains), {{a, b}, {b, c}, {d, a}}, table, settings};
 }
 
@@ -84,7 +85,7 @@ int main(int argc, char** argv)
     const std::string action = argc > 1 ? argv[1] : "";
     if (action == "make" && argc == 3)
     {
-        nscd::ContactDynamics<2> dynamics = heap(fallen(), 50, 1e-7);
+        nscd::ContactDynamics<2> dynamics = heap(fallen(), 50, 1e-7, nscd::Solver::sweeps);
         for (int step = 0; step < 2000; ++step)
         {
             fall(dynamics, 5e-4);
@@ -98,12 +99,13 @@ int main(int argc, char** argv)
         std::fclose(out);
         return 0;
     }
-    if (action != "run" || argc != 7)
+    if (action != "run" || argc != 8)
     {
-        std::fprintf(stderr, "usage: benchPacked make FILE | run FILE steps dt maxSweeps tolerance\n");
+        std::fprintf(stderr, "usage: benchPacked make FILE | run FILE steps dt maxSweeps tolerance sweeps|nesterov\n");
         return 2;
     }
-    nscd::ContactDynamics<2> dynamics = heap(read(argv[2]), std::atoi(argv[5]), std::atof(argv[6]));
+    const nscd::Solver solver = std::string(argv[7]) == "nesterov" ? nscd::Solver::nesterov : nscd::Solver::sweeps;
+    nscd::ContactDynamics<2> dynamics = heap(read(argv[2]), std::atoi(argv[5]), std::atof(argv[6]), solver);
     const int steps = std::atoi(argv[3]);
     const std::clock_t start = std::clock();
     double worst = 0;
@@ -112,7 +114,7 @@ int main(int argc, char** argv)
         worst = std::max(worst, fall(dynamics, std::atof(argv[4])).worstOverlap);
     }
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    std::printf("| grainFoam, at most %s sweeps, %s m | %.4f | %.2e |\n", argv[5], argv[6], seconds / steps,
-                worst / 1.5e-3);
+    std::printf("| grainFoam, %s, at most %s passes, %s m | %.4f | %.2e |\n", argv[7], argv[5], argv[6],
+                seconds / steps, worst / 1.5e-3);
     return 0;
 }

@@ -89,6 +89,27 @@ Schedule<D>::Schedule(const Candidates<D>& candidates, const Communicator& commu
 }
 
 template <int D>
+void Schedule<D>::refresh(std::vector<Body<D>>& bodies)
+{
+    const auto forLoans = [&](bool ours, auto&& f)
+    {
+        for (Round& round : rounds_)
+        {
+            for (Loan& loan : round.loans)
+            {
+                if ((loan.group < 0) == ours)
+                {
+                    f(loan);
+                }
+            }
+        }
+    };
+    forLoans(true, [&](Loan& loan) { send(loan, bodies); });
+    forLoans(false, [&](Loan& loan) { receive(loan, bodies); });
+    forLoans(true, [](Loan& loan) { MPI_Wait(&loan.sent, MPI_STATUS_IGNORE); });
+}
+
+template <int D>
 void Schedule<D>::send(Loan& loan, const std::vector<Body<D>>& bodies)
 {
     for (std::size_t k = 0; k < loan.grains.size(); ++k)

@@ -27,6 +27,9 @@ public:
     template <class Work>
     void pass(std::vector<Body<D>>& bodies, Work&& work);
 
+    /// Bring the bodies of all pairs that this rank lists up to date.  Collective.
+    void refresh(std::vector<Body<D>>& bodies);
+
 private:
     /// A pair of blocks that another rank works on with our grains, or that we work on with another rank's.
     struct Loan

@@ -105,7 +105,7 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
             worthLooking = std::min(worthLooking, change / 2);
             nextLook = sweeps < nextLook ? nextLook : 4 * nextLook;
 
-            communicator_.share(bodies_, candidates_.rankBegin());
+            schedule_->refresh(bodies_);
             residual = communicator_.max(problem_.residual(bodies_));
             if (residual <= tolerance)
             {
@@ -128,6 +128,7 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
             problem_.extrapolate(momentum.next(done.sum), bodies_, own[rank], own[rank + 1]);
         }
     }
+    communicator_.share(bodies_, own);
     report.residual = std::max(report.residual, residual);
     report.converged = report.converged && residual <= tolerance;
     return residual <= tolerance;

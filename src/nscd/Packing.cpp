@@ -17,6 +17,10 @@ namespace
 /// A lattice that would fill the box exactly must not lose its last row to round-off.
 constexpr double roundOff = 1e-10;
 
+/// Times in which a grain would fall by a radius for which it has to stay at rest.  One that tips over another of its
+/// size is sixty times as fast after five.
+constexpr double fallsAtRest = 5;
+
 /// Number of centres from 'first' to 'last' in steps of 'step'.
 int count(double first, double step, double last)
 {
@@ -141,17 +145,17 @@ Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double 
     }
     const Spins<D> noTorque(n, Spin<D>::Zero());
     const double g = gravity.norm();
-    const double earliest = g > 0 ? std::sqrt(2 * meanRadius / g) : 0;
+    const double rest = g > 0 ? fallsAtRest * std::sqrt(2 * meanRadius / g) : 0;
 
     Settled<D> settled;
-    for (std::int64_t step = 1; settled.time < maxTime && n > 0; ++step)
+    settled.atRest = n == 0;
+    double moved = 0;   // when a grain was last faster than at rest
+    for (std::int64_t step = 1; settled.time < maxTime && !settled.atRest; ++step)
     {
         settled.maxVelocity = dynamics.step(weight, noTorque, dt).maxVelocity;
         settled.time = static_cast<double>(step) * dt;
-        if (settled.maxVelocity <= atRest && settled.time >= earliest)
-        {
-            break;
-        }
+        moved = settled.maxVelocity > atRest ? settled.time : moved;
+        settled.atRest = settled.maxVelocity <= atRest && settled.time - moved >= rest;
     }
     settled.grains = dynamics.grains();
     return settled;

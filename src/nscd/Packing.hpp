@@ -43,11 +43,13 @@ struct Settled
 {
     Grains<D> grains;
     double time = 0;          ///< [s]
-    double maxVelocity = 0;   ///< [m/s]
+    double maxVelocity = 0;   ///< in the last step [m/s]
+    bool atRest = false;      ///< or else maxTime was over
 };
 
-/// Let dry grains fall under gravity [m/s^2] until none is faster than 'atRest' [m/s], no earlier than they could
-/// have fallen by a radius, or until 'maxTime' [s], in steps of dt [s].  Throws std::invalid_argument.
+/// Let dry grains fall under gravity [m/s^2] until none has been faster than 'atRest' [m/s] for five times the time
+/// in which it would fall by a mean radius, or until 'maxTime' [s], in steps of dt [s].  So long because a grain on top
+/// of its way, or one that begins to tip over another, is slow too.  Throws std::invalid_argument.
 template <int D>
 Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime);
 

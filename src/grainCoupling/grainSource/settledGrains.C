@@ -42,21 +42,21 @@ Foam::grainSources::settled<D>::settled
 
 
 template<int D>
-nscd::Grains<D> Foam::grainSources::settled<D>::read() const
+nscd::Grains<D> Foam::grainSources::settled<D>::atRest
+(
+    const nscd::Grains<D>& grains
+) const
 {
     // Grains at rest need few sweeps, but on the way there a pile that is not
     // solved to the tolerance creeps
     nscd::Settings contact(this->context_.contact);
     contact.maxSweeps = std::max(contact.maxSweeps, 1000);
 
-    const nscd::Settled<D> result = nscd::settle<D>
+    nscd::Settled<D> result = nscd::settle<D>
     (
         nscd::ContactDynamics<D>
         (
-            grainSource<D>::New
-            (
-                dictionaryInput::subDict(dict_, "from"), this->context_
-            )->read(),
+            grains,
             this->context_.walls.walls(),
             this->context_.materials.contactTable(),
             contact,
@@ -69,26 +69,43 @@ nscd::Grains<D> Foam::grainSources::settled<D>::read() const
         maxTime_
     );
 
-    if (result.maxVelocity > maxSpeed_)
+    if (!result.atRest)
     {
         dictionaryInput::badValue
         (
             dict_, "maxTime", Foam::name(maxTime_),
-            "a time in which the grains come to rest; the fastest still moves"
-            " at " + Foam::name(result.maxVelocity) + " m/s"
+            "a time in which the grains come to rest and stay so; the fastest"
+            " moves at " + Foam::name(result.maxVelocity) + " m/s"
         );
     }
     Info<< "Grains settled in " << result.time << " s" << endl;
 
-    nscd::Grains<D> grains(result.grains);
     std::fill
     (
-        grains.velocity.begin(), grains.velocity.end(),
+        result.grains.velocity.begin(), result.grains.velocity.end(),
         nscd::Vector<D>::Zero()
     );
     std::fill
     (
-        grains.spin.begin(), grains.spin.end(), nscd::Spin<D>::Zero()
+        result.grains.spin.begin(), result.grains.spin.end(),
+        nscd::Spin<D>::Zero()
     );
-    return grains;
+    return result.grains;
+}
+
+
+template<int D>
+nscd::Grains<D> Foam::grainSources::settled<D>::read() const
+{
+    const nscd::Grains<D> start
+    (
+        grainSource<D>::New
+        (
+            dictionaryInput::subDict(dict_, "from"), this->context_
+        )->read()
+    );
+
+    // Wedged grains hang on forces that only their history explains.  A run
+    // starts without them, and so does the second settling.
+    return atRest(atRest(start));
 }

@@ -129,6 +129,7 @@ TEST(Settle, EndsAtRestInTheBox)
     }
     scene.addBox({0.2, 0.4});
     const auto settled = nscd::settle<2>(scene.dynamics(), up<2>(-g), 1e-3, 1e-3, 10);
+    EXPECT_TRUE(settled.atRest);
     EXPECT_LT(settled.time, 10);
     EXPECT_LE(settled.maxVelocity, 1e-3);
     EXPECT_GT(settled.time, std::sqrt(2 * 0.01 / g));
@@ -138,6 +139,32 @@ TEST(Settle, EndsAtRestInTheBox)
         top = std::max(top, x.y());
     }
     EXPECT_LT(top, 0.2);   // 60 discs of solid fraction > 0.7 would reach 0.135
+}
+
+TEST(Settle, DoesNotTakeTheTopOfAFlightForRest)
+{
+    Scene<2> scene;
+    scene.settings.tolerance = 1e-7;
+    scene.add({0, 0.01}, up<2>(1), 0.01);
+    scene.addFloor();
+    const auto settled = nscd::settle<2>(scene.dynamics(), up<2>(-g), 1e-3, 1e-2, 10);
+    EXPECT_GT(settled.time, 2 / g);   // up and down again
+    EXPECT_NEAR(settled.grains.position[0].y(), 0.01, 1e-7);
+    EXPECT_FALSE(nscd::settle<2>(scene.dynamics(), up<2>(-g), 1e-3, 1e-2, 1 / g).atRest);
+}
+
+TEST(Settle, WaitsForAGrainThatTipsOver)
+{
+    Scene<2> scene(0.5);
+    scene.settings.tolerance = 1e-9;
+    const double r = 0.01, tilt = 1e-3;
+    scene.walls.push_back({{-r, 0}, {r, 0}, 1});   // a table as wide as the grain
+    scene.add({r * (1 + tilt), r * std::sqrt(1 - tilt * tilt)}, {0, 0}, r);
+    scene.walls.push_back({{4 * r, -0.1}, {4 * r, 0.1}, 1});
+    scene.walls.push_back({{-4 * r, -0.1}, {4 * r, -0.1}, 1});
+    scene.walls.push_back({{-4 * r, -0.1}, {-4 * r, 0.1}, 1});
+    const auto settled = nscd::settle<2>(scene.dynamics(), up<2>(-g), 1e-3, 1e-3, 10);
+    EXPECT_NEAR(settled.grains.position[0].y(), r - 0.1, 1e-6);
 }
 
 TEST(Packing, RefusesSenselessInput)

@@ -80,6 +80,24 @@ def control(case, **entries):
     path.write_text(text)
 
 
+def run_whole_and_parts(whole, parts, application, stop, end):
+    """One case without a break, the other stopped at a time and continued."""
+    whole.run(application)
+    control(parts, endTime=stop)
+    parts.run(application)
+    control(parts, endTime=end)
+    parts.run(application)
+
+
+def assert_same_grains(one, other):
+    """Two cases have the same grains, bit for bit, at the same last time."""
+    assert one.times[-1] == other.times[-1]
+    a, b = one.grains(), other.grains()
+    assert a.keys() == b.keys()
+    for name in a:
+        np.testing.assert_array_equal(a[name], b[name], err_msg=name)
+
+
 def lattice(nx, ny, spacing, corner):
     """Centres of a square lattice, the first at the corner, row by row."""
     x, y = np.meshgrid(np.arange(nx), np.arange(ny))

@@ -5,7 +5,15 @@
 import numpy as np
 import pytest
 from dry_box import GRAINS, G, cubic, dry_box
-from grain_box import control, lattice, ledger, replace, tracks
+from grain_box import (
+    assert_same_grains,
+    control,
+    lattice,
+    ledger,
+    replace,
+    run_whole_and_parts,
+    tracks,
+)
 
 RADIUS = 0.005
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3])
@@ -112,17 +120,10 @@ def test_restart_is_the_uninterrupted_run(clone, dimension):
     for case in cases:
         control(case, endTime=0.06, writeInterval=30)
     whole, parts = cases
-    whole.run("dryGrainFoam")
-    control(parts, endTime=0.03)
-    parts.run("dryGrainFoam")
-    control(parts, endTime=0.06)
-    parts.run("dryGrainFoam")
+    run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.03, end=0.06)
     assert "Grains continue from" in parts.log
     assert whole.logged("Contacts  ").max() >= 30
-    one, other = whole.grains("0.06"), parts.grains("0.06")
-    assert one.keys() == other.keys()
-    for name in one:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    assert_same_grains(whole, parts)
 
 
 @pytest.mark.parallel
@@ -207,10 +208,8 @@ def test_restart_after_grains_have_left(clone):
     parts.run("dryGrainFoam")
     control(parts, endTime=0.08, writeInterval=20)
     parts.run("dryGrainFoam")
-    one, other = whole.grains("0.08"), parts.grains("0.08")
-    assert 0 < len(one["id"]) < 40
-    for name in one:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    assert 0 < len(whole.grains("0.08")["id"]) < 40
+    assert_same_grains(whole, parts)
 
 
 @DIMENSIONS

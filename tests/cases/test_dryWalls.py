@@ -6,7 +6,15 @@ import grainplot
 import numpy as np
 import pytest
 from dry_box import GRAINS, G, cubic, dry_box
-from grain_box import control, lattice, ledger, replace, tracks
+from grain_box import (
+    assert_same_grains,
+    control,
+    lattice,
+    ledger,
+    replace,
+    run_whole_and_parts,
+    tracks,
+)
 
 RADIUS = 0.005
 DT = 1e-3
@@ -87,14 +95,8 @@ def test_moving_walls_continue_after_a_restart(clone, dimension):
         )
         control(case, endTime=0.08, writeInterval=40)
     whole, parts = cases
-    whole.run("dryGrainFoam")
-    control(parts, endTime=0.04)
-    parts.run("dryGrainFoam")
-    control(parts, endTime=0.08)
-    parts.run("dryGrainFoam")
-    one, other = whole.grains("0.08"), parts.grains("0.08")
-    for name in one:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.04, end=0.08)
+    assert_same_grains(whole, parts)
     assert ledger(whole)["active"].max() > 5
 
 
@@ -209,14 +211,9 @@ def test_rods_fall_settle_and_continue(clone, dimension):
     whole, parts = (rods(clone, dimension, name) for name in "ab")
     for case in (whole, parts):
         control(case, endTime=0.2, writeInterval=100, writeFormat="ascii")
-    whole.run("dryGrainFoam")
-    control(parts, endTime=0.1)
-    parts.run("dryGrainFoam")
-    control(parts, endTime=0.2)
-    parts.run("dryGrainFoam")
-    one, other = whole.grains("0.2"), parts.grains("0.2")
-    for name in one:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.1, end=0.2)
+    assert_same_grains(whole, parts)
+    one = whole.grains("0.2")
 
     n = len(one["id"])
     assert n == 4**dimension

@@ -7,7 +7,15 @@ import csv
 import numpy as np
 import pytest
 from dry_box import GRAINS, G, cubic, dry_box
-from grain_box import DEPTH, control, lattice, ledger, replace
+from grain_box import (
+    DEPTH,
+    assert_same_grains,
+    control,
+    lattice,
+    ledger,
+    replace,
+    run_whole_and_parts,
+)
 
 RADIUS = 0.005
 HOT, COLD = 373.0, 293.0
@@ -113,15 +121,9 @@ def test_restart_is_the_uninterrupted_run(clone, dimension):
     )
     for case in (whole, parts):
         control(case, endTime=0.04, writeInterval=20)
-    whole.run("dryGrainFoam")
-    control(parts, endTime=0.02)
-    parts.run("dryGrainFoam")
-    control(parts, endTime=0.04)
-    parts.run("dryGrainFoam")
-    one, other = whole.grains("0.04"), parts.grains("0.04")
-    assert np.ptp(one["temperature"]) > 1
-    for name in one:
-        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+    run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.02, end=0.04)
+    assert np.ptp(whole.grains("0.04")["temperature"]) > 1
+    assert_same_grains(whole, parts)
 
 
 @pytest.mark.parallel

@@ -7,7 +7,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice
+from grain_box import assert_same_grains, control, grain_box, lattice, run_whole_and_parts
 
 RADIUS = 0.004
 CASES = {
@@ -19,11 +19,7 @@ CASES = {
 
 def assert_same(one, other):
     """The state of the grains and of the fluid at the last time."""
-    assert one.times[-1] == other.times[-1]
-    a, b = one.grains(), other.grains()
-    assert a.keys() == b.keys()
-    for name in a:
-        np.testing.assert_array_equal(a[name], b[name], err_msg=name)
+    assert_same_grains(one, other)
     for name in ("U", "p", "p_rgh", "eps"):
         np.testing.assert_array_equal(one.field(name), other.field(name), err_msg=name)
 
@@ -44,11 +40,7 @@ def test_stop_and_restart(clone, grains):
     whole, parts = (grain_box(clone, CASES[grains], RADIUS, name=name) for name in ("a", "b"))
     for case in (whole, parts):
         control(case, endTime=0.08, writeInterval=40)
-    whole.run("grainFoam")
-    control(parts, endTime=0.04)
-    parts.run("grainFoam")
-    control(parts, endTime=0.08)
-    parts.run("grainFoam")
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
     assert "Grains continue from" in parts.log
     if grains == "pile":
         assert whole.logged("Contacts  ").min() >= 30

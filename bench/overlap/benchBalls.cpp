@@ -3,11 +3,11 @@
 
 // Pairs of ball and cell that cut each other: time per pair, beside the package overlap if the build has found it.
 
+#include "bestOf.hpp"
 #include "Cells.hpp"
 #include "overlap/BallPolyhedron.hpp"
 #include "Peer.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -53,23 +53,20 @@ std::vector<Pair> cutPairs(const CellKind& kind, double h)
     return pairs;
 }
 
-/// Nanoseconds per call of f(pair), the best of several passes.
+/// Nanoseconds per call of f(pair).
 template <class F>
 double time(const std::vector<Pair>& pairs, F&& f)
 {
-    using Clock = std::chrono::steady_clock;
-    double best = 1e300;
     volatile double sink = 0;
-    for (int pass = 0; pass < 12; ++pass)
-    {
-        const auto start = Clock::now();
-        double sum = 0;
-        for (const Pair& pair : pairs) sum += f(pair);
-        sink = sum;
-        best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
-    }
+    const double seconds = bestOf(12,
+                                  [&]
+                                  {
+                                      double sum = 0;
+                                      for (const Pair& pair : pairs) sum += f(pair);
+                                      sink = sum;
+                                  });
     static_cast<void>(sink);
-    return 1e9 * best / static_cast<double>(pairs.size());
+    return 1e9 * seconds / static_cast<double>(pairs.size());
 }
 
 }  // namespace

@@ -5,29 +5,14 @@
 // with the cell that held the whole ball before as a hint, and the share of the search.
 
 #include "../../tests/unit/overlap/Meshes.hpp"
+#include "bestOf.hpp"
 #include "overlap/BallMesh.hpp"
 
-#include <chrono>
 #include <cstdio>
 
 using namespace overlap;
 
-namespace
-{
-
-double seconds(const std::function<void()>& f)
-{
-    double best = 1e300;
-    for (int pass = 0; pass < 5; ++pass)
-    {
-        const auto start = std::chrono::steady_clock::now();
-        f();
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    }
-    return best;
-}
-
-}  // namespace
+constexpr int passes = 5;
 
 int main()
 {
@@ -49,7 +34,8 @@ int main()
 
             double cells = 0, sum = 0;
             std::vector<int> last;
-            const double all = seconds(
+            const double all = bestOf(
+                passes,
                 [&]
                 {
                     cells = 0;
@@ -60,12 +46,14 @@ int main()
                 const std::vector<CellOverlap>& parts = ball.overlaps(c, r);
                 last.push_back(parts.size() == 1 ? parts[0].cell : -1);
             }
-            const double hinted = seconds(
+            const double hinted = bestOf(
+                passes,
                 [&]
                 {
                     for (std::size_t k = 0; k < centres.size(); ++k) ball.overlaps(centres[k], r, last[k]);
                 });
-            const double search = seconds(
+            const double search = bestOf(
+                passes,
                 [&]
                 {
                     const auto count = [&](int c)

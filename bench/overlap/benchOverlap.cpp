@@ -4,9 +4,9 @@
 // Time per disc/cell pair whose bounding boxes overlap, for cells much smaller to much larger than the disc.
 // Prints a row per h/d: all candidate pairs, and those in which the circle passes through the cell.
 
+#include "bestOf.hpp"
 #include "overlap/DiscPolygon.hpp"
 
-#include <chrono>
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -51,30 +51,28 @@ std::vector<Pair> makePairs(double h, std::size_t n, bool onlyCut)
     return pairs;
 }
 
-/// Nanoseconds per pair, the best of several passes.
+/// Nanoseconds per pair.
 double measure(const std::vector<Pair>& pairs, std::size_t n)
 {
-    using Clock = std::chrono::steady_clock;
-    double best = 1e300;
+    constexpr int repeats = 5;
     volatile double sink = 0;
-    for (int pass = 0; pass < 15; ++pass)
-    {
-        const auto start = Clock::now();
-        double sum = 0;
-        for (int repeat = 0; repeat < 5; ++repeat)
-        {
-            for (const Pair& pair : pairs)
-            {
-                const overlap::AreaMoment a = overlap::discPolygon(pair.centre, 0.5, pair.vertices, n);
-                sum += a.area + a.centroid.x();
-            }
-        }
-        sink = sum;
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        best = std::min(best, 1e9 * seconds / (5 * static_cast<double>(pairs.size())));
-    }
+    const double seconds =
+        bestOf(15,
+               [&]
+               {
+                   double sum = 0;
+                   for (int repeat = 0; repeat < repeats; ++repeat)
+                   {
+                       for (const Pair& pair : pairs)
+                       {
+                           const overlap::AreaMoment a = overlap::discPolygon(pair.centre, 0.5, pair.vertices, n);
+                           sum += a.area + a.centroid.x();
+                       }
+                   }
+                   sink = sum;
+               });
     static_cast<void>(sink);
-    return best;
+    return 1e9 * seconds / (repeats * static_cast<double>(pairs.size()));
 }
 
 }  // namespace

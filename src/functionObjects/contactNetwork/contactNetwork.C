@@ -7,9 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "grainView.H"
-#include "OFstream.H"
-#include "OSspecific.H"
-#include "pointField.H"
+#include "polyDataFile.H"
 
 namespace Foam
 {
@@ -18,36 +16,6 @@ namespace functionObjects
     defineTypeNameAndDebug(contactNetwork, 0);
     addToRunTimeSelectionTable(functionObject, contactNetwork, dictionary);
 }
-}
-
-namespace
-{
-
-using namespace Foam;
-
-void writePoint(Ostream& os, const vector& v)
-{
-    os  << v.x() << ' ' << v.y() << ' ' << v.z() << nl;
-}
-
-template<class Value>
-void writeScalars
-(
-    Ostream& os,
-    const char* name,
-    const char* type,
-    const std::vector<grainView::contact>& contacts,
-    const Value& value
-)
-{
-    os  << "SCALARS " << name << ' ' << type << " 1" << nl
-        << "LOOKUP_TABLE default" << nl;
-    for (const grainView::contact& c : contacts)
-    {
-        os  << value(c) << nl;
-    }
-}
-
 }
 
 
@@ -71,83 +39,47 @@ bool Foam::functionObjects::contactNetwork::write()
         return true;
     }
 
-    pointField points;
-    List<labelList> lines;
-    for (const grainView::contact& c : contacts)
+    List<pointField> lines(label(contacts.size()));
+    forAll(lines, i)
     {
-        labelList line({points.size(), points.size() + 1});
-        points.append(grains.centre(c.first));
-        points.append(c.place);
+        const grainView::contact& c = contacts[i];
+        lines[i] = pointField({grains.centre(c.first), c.place});
         if
         (
             c.second >= 0
          && mag(grains.centre(c.second) - c.place) < 2*grains.radius(c.second)
         )
         {
-            line.append(points.size());
-            points.append(grains.centre(c.second));
+            lines[i].append(grains.centre(c.second));
         }
-        lines.append(line);
     }
 
-    const fileName dir(time_.globalPath()/"postProcessing"/name());
-    mkDir(dir);
-    OFstream os(dir/("contacts_" + time_.timeName() + ".vtk"));
-    os.precision(10);
-    os  << "# vtk DataFile Version 3.0" << nl
-        << "contacts at time " << time_.timeName() << nl
-        << "ASCII" << nl
-        << "DATASET POLYDATA" << nl
-        << "POINTS " << points.size() << " double" << nl;
-    for (const point& p : points)
-    {
-        writePoint(os, p);
-    }
-    os  << "LINES " << lines.size() << ' ' << lines.size() + points.size() << nl;
-    for (const labelList& line : lines)
-    {
-        os  << line.size();
-        for (const label i : line)
-        {
-            os  << ' ' << i;
-        }
-        os  << nl;
-    }
-
-    os  << "CELL_DATA " << lines.size() << nl << "VECTORS force double" << nl;
-    for (const grainView::contact& c : contacts)
-    {
-        writePoint(os, c.force);
-    }
-    writeScalars
+    polyDataFile file(time_, name(), "contacts", "LINES", lines);
+    file.vectors("force", [&](label i) { return contacts[i].force; });
+    file.scalars
     (
-        os, "normal", "double", contacts,
-        [](const grainView::contact& c) { return mag(c.force & c.normal); }
+        "normal", "double",
+        [&](label i) { return mag(contacts[i].force & contacts[i].normal); }
     );
-    writeScalars
-    (
-        os, "gap", "double", contacts,
-        [](const grainView::contact& c) { return c.gap; }
-    );
+    file.scalars("gap", "double", [&](label i) { return contacts[i].gap; });
     if (grains.conducts())
     {
-        writeScalars
+        file.scalars
         (
-            os, "heatFlow", "double", contacts,
-            [](const grainView::contact& c) { return c.heatFlow; }
+            "heatFlow", "double", [&](label i) { return contacts[i].heatFlow; }
         );
     }
-    writeScalars
+    file.scalars
     (
-        os, "first", "int", contacts,
-        [&](const grainView::contact& c) { return grains.id(c.first); }
+        "first", "int", [&](label i) { return grains.id(contacts[i].first); }
     );
-    writeScalars
+    file.scalars
     (
-        os, "second", "int", contacts,
-        [&](const grainView::contact& c)
+        "second", "int",
+        [&](label i)
         {
-            return c.second < 0 ? label(-1) : grains.id(c.second);
+            const label second = contacts[i].second;
+            return second < 0 ? label(-1) : grains.id(second);
         }
     );
     return true;

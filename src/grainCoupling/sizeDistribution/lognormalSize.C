@@ -27,22 +27,14 @@ Foam::sizeDistributions::lognormal::lognormal(const dictionary& dict)
     const scalar median = dictionaryInput::getPositive(dict, "median", dimLength);
     const scalar logDeviation =
         dictionaryInput::getPositive(dict, "logDeviation", dimless);
-    const scalar minRadius =
-        dictionaryInput::getPositive(dict, "minRadius", dimLength);
-    const scalar maxRadius =
-        dictionaryInput::getScalar(dict, "maxRadius", dimLength, minRadius);
-    try
-    {
-        sizes_ = nscd::lognormalSize(median, logDeviation, minRadius, maxRadius);
-    }
-    catch (const std::invalid_argument& err)
-    {
-        dictionaryInput::badValue
-        (
-            dict, "maxRadius", Foam::name(maxRadius),
-            "radii that hold part of the distribution; " + string(err.what())
-        );
-    }
+    sizes_ = cutOff
+    (
+        dict,
+        [=](scalar minRadius, scalar maxRadius)
+        {
+            return nscd::lognormalSize(median, logDeviation, minRadius, maxRadius);
+        }
+    );
 }
 
 

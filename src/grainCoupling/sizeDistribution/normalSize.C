@@ -27,22 +27,14 @@ Foam::sizeDistributions::normal::normal(const dictionary& dict)
     const scalar mean = dictionaryInput::getPositive(dict, "mean", dimLength);
     const scalar standardDeviation =
         dictionaryInput::getPositive(dict, "standardDeviation", dimLength);
-    const scalar minRadius =
-        dictionaryInput::getPositive(dict, "minRadius", dimLength);
-    const scalar maxRadius =
-        dictionaryInput::getScalar(dict, "maxRadius", dimLength, minRadius);
-    try
-    {
-        sizes_ = nscd::normalSize(mean, standardDeviation, minRadius, maxRadius);
-    }
-    catch (const std::invalid_argument& err)
-    {
-        dictionaryInput::badValue
-        (
-            dict, "maxRadius", Foam::name(maxRadius),
-            "radii that hold part of the distribution; " + string(err.what())
-        );
-    }
+    sizes_ = cutOff
+    (
+        dict,
+        [=](scalar minRadius, scalar maxRadius)
+        {
+            return nscd::normalSize(mean, standardDeviation, minRadius, maxRadius);
+        }
+    );
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "sizeDistribution.H"
 
+#include "dictionaryInput.H"
 #include "selected.H"
 
 namespace Foam
@@ -23,4 +24,30 @@ Foam::autoPtr<Foam::sizeDistribution> Foam::sizeDistribution::New
     (
         *dictionaryConstructorTablePtr_, dict, "distribution of sizes"
     )(dict);
+}
+
+
+nscd::SizeDistribution Foam::sizeDistribution::cutOff
+(
+    const dictionary& dict,
+    const std::function<nscd::SizeDistribution(scalar, scalar)>& make
+)
+{
+    const scalar minRadius =
+        dictionaryInput::getPositive(dict, "minRadius", dimLength);
+    const scalar maxRadius =
+        dictionaryInput::getScalar(dict, "maxRadius", dimLength, minRadius);
+    try
+    {
+        return make(minRadius, maxRadius);
+    }
+    catch (const std::invalid_argument& err)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "maxRadius", Foam::name(maxRadius),
+            "radii that hold part of the distribution; " + string(err.what())
+        );
+    }
+    return nscd::SizeDistribution();
 }

@@ -95,8 +95,8 @@ public:
     /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
 
-    /// Contacts of all ranks in the last step, in an order that does not depend on the number of ranks; none after
-    /// remove() or load().  Collective.
+    /// Contacts of all ranks in the last step, in an order that does not depend on the number of ranks; after remove()
+    /// those between what has stayed, after load() none.  Collective.
     std::vector<ContactForce<D>> contacts() const;
 
     /// Write the contact problem of the last sub-step and the impulses that were found for it in FCLIB's local form
@@ -107,8 +107,7 @@ public:
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
     void setTemperature(std::vector<double> temperature);
 
-    /// Take the marked grains away; the others keep their order and the impulses of their contacts, which contacts()
-    /// gives again after the next step.  Collective.
+    /// Take the marked grains away; the others keep their order, their contacts and the impulses.  Collective.
     /// Throws std::invalid_argument unless there is one mark per grain.
     void remove(const std::vector<bool>& gone);
 

@@ -107,9 +107,6 @@ public:
     /// Contacts with an impulse and the forces in them, with the numbers of the places of solver order.
     std::vector<ContactForce<D>> forces() const;
 
-    /// No contacts, until the next choice: the candidates they were chosen from are no more.
-    void forget() { begin_.clear(); }
-
     /// This rank's contacts; the velocities are those of the bodies that walls stand for.
     std::vector<SolvedContact<D>> solvedContacts(const std::vector<Body<D>>& bodies) const;
 

@@ -120,15 +120,22 @@ void ContactDynamics<D>::Implementation::checkWallBody(int body, bool free, bool
 }
 
 template <int D>
-std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::contacts() const
+std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::ownContacts() const
 {
-    std::vector<ContactForce<D>> mine = problem_.forces();
-    for (ContactForce<D>& c : mine)
+    std::vector<ContactForce<D>> mine = contactsOfOthers_;
+    for (ContactForce<D> c : problem_.forces())
     {
         c.first = members_.grain(candidates_.memberOrder()[c.first]);
         c.second = c.second < 0 ? c.second : members_.grain(candidates_.memberOrder()[c.second]);
+        mine.push_back(c);
     }
-    return communicator_.gather(mine);
+    return mine;
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::contacts() const
+{
+    return communicator_.gather(ownContacts());
 }
 
 template <int D>

@@ -60,6 +60,9 @@ private:
     /// more than ten thousand sub-steps allow [m].
     void requireReach(double farthest, double dt) const;
 
+    /// Contacts of this rank in the last step.
+    std::vector<ContactForce<D>> ownContacts() const;
+
     FreeMotion freeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
     void advance(const FreeMotion& free, double dt, StepReport& report);
     void updateCandidates(const FreeMotion& free, double dt);
@@ -108,6 +111,7 @@ private:
     BodyData<D> data_;
     std::unique_ptr<Schedule<D>> schedule_;
     ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
+    std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
     std::vector<Body<D>> bodies_, displacements_;
     std::size_t solves_ = 0;             ///< of this rank in this sub-step
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step

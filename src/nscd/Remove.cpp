@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// ContactDynamics::remove: grains go, contacts of those that stay keep their impulses.
+// ContactDynamics::remove: grains go, those that stay keep their contacts.
 
 #include "nscd/Implementation.hpp"
 
@@ -28,6 +28,27 @@ void drop(List& list, const std::vector<bool>& gone)
     list.resize(kept);
 }
 
+/// Numbers of those that stay; -1 for those that are marked.
+std::vector<int> numbersWithout(const std::vector<bool>& gone)
+{
+    std::vector<int> numbers;
+    int kept = 0;
+    for (const bool g : gone)
+    {
+        numbers.push_back(g ? -1 : kept++);
+    }
+    return numbers;
+}
+
+/// Renumber the two of a contact, of which a wall (< 0) may be the second; false if one of them has gone.
+bool renumber(int& first, int& second, const std::vector<int>& numbers)
+{
+    const bool withWall = second < 0;
+    first = numbers[first];
+    second = withWall ? second : numbers[second];
+    return first >= 0 && (withWall || second >= 0);
+}
+
 }  // namespace
 
 template <int D>
@@ -38,24 +59,28 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
         throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " + std::to_string(gone.size()) +
                                     " marks of those to remove");
     }
+    const std::vector<int> grain = numbersWithout(gone);
+    std::vector<ContactForce<D>> contacts;
+    for (ContactForce<D> c : ownContacts())
+    {
+        if (renumber(c.first, c.second, grain))
+        {
+            contacts.push_back(c);
+        }
+    }
+    contactsOfOthers_ = std::move(contacts);
+
     std::vector<bool> goneMember;
-    std::vector<int> newMember;
-    int kept = 0;
     for (std::size_t m = 0; m < members_.size(); ++m)
     {
         goneMember.push_back(gone[members_.grain(static_cast<int>(m))]);
-        newMember.push_back(kept);
-        kept += goneMember.back() ? 0 : 1;
     }
-
+    const std::vector<int> member = numbersWithout(goneMember);
     std::vector<NamedImpulse<D>> impulses;
     for (NamedImpulse<D> known : gatherImpulses(candidates_, impulses_, communicator_))
     {
-        const bool withWall = known.b < 0;
-        if (!goneMember[known.a] && (withWall || !goneMember[known.b]))
+        if (renumber(known.a, known.b, member))
         {
-            known.a = newMember[known.a];
-            known.b = withWall ? known.b : newMember[known.b];
             impulses.push_back(known);
         }
     }
@@ -77,7 +102,6 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     problem_.clear();
     rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
     candidateWalls_ = wallBodies_;
-    problem_.forget();
 }
 
 template void ContactDynamics<2>::Implementation::remove(const std::vector<bool>&);

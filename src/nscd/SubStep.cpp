@@ -39,6 +39,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     makeBodies(free, dt);
     problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
+    contactsOfOthers_.clear();
     report.detectionTime += watch.restart();
 
     schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });

@@ -103,7 +103,6 @@ void Foam::grainDynamics<D>::advance
         (
             *dynamics_, start, deltaT, space().fromSpace(properties_.g())
         );
-        keptContacts_.clear();
         sizeOfStep_ = size();
         lastStep_ = dynamics_->step(force, torque, deltaT);
     }
@@ -159,11 +158,9 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
 template<int D>
 void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
 {
-    labelList newIndex(size());
     label kept = 0;
     forAll(cell_, i)
     {
-        newIndex[i] = kept;
         if (!gone[i])
         {
             cell_[kept] = cell_[i];
@@ -175,17 +172,6 @@ void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
         }
     }
     fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
-
-    for (nscd::ContactForce<D> c : dynamics_->contacts())
-    {
-        const bool withWall = c.second < 0;
-        if (!gone[c.first] && (withWall || !gone[c.second]))
-        {
-            c.first = newIndex[c.first];
-            c.second = withWall ? c.second : newIndex[c.second];
-            keptContacts_.push_back(c);
-        }
-    }
     dynamics_->remove(gone);
     locate();
 }
@@ -196,11 +182,7 @@ std::vector<Foam::grainView::contact>
 Foam::grainDynamics<D>::contacts() const
 {
     std::vector<contact> result;
-    for
-    (
-        const nscd::ContactForce<D>& c :
-        keptContacts_.empty() ? dynamics_->contacts() : keptContacts_
-    )
+    for (const nscd::ContactForce<D>& c : dynamics_->contacts())
     {
         result.push_back
         ({

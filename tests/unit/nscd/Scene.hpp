@@ -6,6 +6,7 @@
 #include "nscd/ContactDynamics.hpp"
 #include "nscd/Random.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 constexpr double g = 9.81;
@@ -130,13 +131,43 @@ bool sameBits(const std::vector<V>& a, const std::vector<V>& b)
                0;
 }
 
+/// Where wall bodies are and how they move; not their loads, which are the caller's.
+template <int D>
+bool sameMotion(const nscd::WallBody<D>& a, const nscd::WallBody<D>& b)
+{
+    return a.position == b.position && a.orientation.toRotationMatrix() == b.orientation.toRotationMatrix() &&
+           a.velocity == b.velocity && a.spin == b.spin;
+}
+
 template <int D>
 bool sameBits(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics<D>& b)
 {
+    const auto &x = a.wallBodies(), &y = b.wallBodies();
     return sameBits(a.grains().position, b.grains().position) && sameBits(a.grains().velocity, b.grains().velocity) &&
-           sameBits(a.grains().spin, b.grains().spin) && sameBits(a.contactImpulse(), b.contactImpulse()) &&
-           sameBits(a.contactSpinImpulse(), b.contactSpinImpulse()) && a.worstOverlap() == b.worstOverlap() &&
+           sameBits(a.grains().orientation, b.grains().orientation) && sameBits(a.grains().spin, b.grains().spin) &&
+           sameBits(a.contactImpulse(), b.contactImpulse()) &&
+           sameBits(a.contactSpinImpulse(), b.contactSpinImpulse()) &&
+           std::equal(x.begin(), x.end(), y.begin(), y.end(), sameMotion<D>) && a.worstOverlap() == b.worstOverlap() &&
            a.lastTimeStep() == b.lastTimeStep();
+}
+
+/// The same contacts in the same order; collective.
+template <int D>
+bool sameContacts(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics<D>& b)
+{
+    const auto x = a.contacts(), y = b.contacts();
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](const auto& c, const auto& d)
+                      { return c.first == d.first && c.second == d.second && c.force == d.force; });
+}
+
+/// All but the times that the step took.
+inline bool sameReport(const nscd::StepReport& a, const nscd::StepReport& b)
+{
+    return a.candidates == b.candidates && a.contacts == b.contacts && a.active == b.active &&
+           a.subSteps == b.subSteps && a.sweeps == b.sweeps && a.solves == b.solves && a.converged == b.converged &&
+           a.residual == b.residual && a.worstOverlap == b.worstOverlap && a.meanOverlap == b.meanOverlap &&
+           a.maxVelocity == b.maxVelocity && a.contactWork == b.contactWork;
 }
 
 /// Grains of unit size in a box, moving at random; 'perSide' along each axis.

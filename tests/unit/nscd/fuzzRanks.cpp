@@ -29,32 +29,6 @@ std::string step(nscd::ContactDynamics<D>& dynamics, const RandomScene<D>& rando
     return "";
 }
 
-bool isTheSame(const nscd::StepReport& a, const nscd::StepReport& b)
-{
-    return a.candidates == b.candidates && a.contacts == b.contacts && a.active == b.active &&
-           a.subSteps == b.subSteps && a.sweeps == b.sweeps && a.solves == b.solves && a.converged == b.converged &&
-           a.residual == b.residual && a.worstOverlap == b.worstOverlap && a.meanOverlap == b.meanOverlap &&
-           a.maxVelocity == b.maxVelocity && a.contactWork == b.contactWork;
-}
-
-template <int D>
-bool isTheSame(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics<D>& b)
-{
-    bool same = sameBits(a, b) && sameBits(a.grains().orientation, b.grains().orientation);
-    for (std::size_t w = 0; w < a.wallBodies().size(); ++w)
-    {
-        const auto &x = a.wallBodies()[w], &y = b.wallBodies()[w];
-        same = same && x.position == y.position && x.velocity == y.velocity && x.spin == y.spin;
-    }
-    const auto mine = a.contacts(), ours = b.contacts();
-    same = same && mine.size() == ours.size();
-    for (std::size_t c = 0; same && c < mine.size(); ++c)
-    {
-        same = mine[c].first == ours[c].first && mine[c].second == ours[c].second && mine[c].force == ours[c].force;
-    }
-    return same;
-}
-
 /// The step in which ranks and the single rank differ; 0 for never.
 template <int D>
 int differsInStep(std::uint64_t seed)
@@ -67,7 +41,8 @@ int differsInStep(std::uint64_t seed)
         random.act({&alone, &together});
         nscd::StepReport a, b;
         const std::string message = step(alone, random, a);
-        if (message != step(together, random, b) || !isTheSame(a, b) || !isTheSame(alone, together))
+        if (message != step(together, random, b) || !sameReport(a, b) || !sameContacts(alone, together) ||
+            !sameBits(alone, together))
         {
             return i;
         }

@@ -65,25 +65,41 @@ TEST(Remove, TakesAllOrNone)
     EXPECT_EQ(fall<2>(dynamics, up<2>(-g), 1e-3).contacts, 0u);
 }
 
-TEST(Remove, LeavesNoContactsUntilTheNextStep)
+TEST(Remove, LeavesTheOthersTheirContacts)
 {
+    // Towers of two, 5 m apart: two contacts each
     Scene<2> scene;
     scene.addFloor();
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 4; ++k)
     {
         scene.add({5.0 * k, 1});
+        scene.add({5.0 * k, 3});
     }
     auto dynamics = scene.dynamics();
     fall<2>(dynamics, up<2>(-g), 1e-3);
-    EXPECT_EQ(dynamics.contacts().size(), 3u);
-    dynamics.remove({true, false, false});
-    EXPECT_EQ(dynamics.contacts().size(), 0u);
-    fall<2>(dynamics, up<2>(-g), 1e-3);
-    ASSERT_EQ(dynamics.contacts().size(), 2u);
-    for (const auto& contact : dynamics.contacts())
+    const auto before = dynamics.contacts();
+    ASSERT_EQ(before.size(), 8u);
+
+    // The second tower; then the first, and the upper one of the last
+    dynamics.remove({false, false, true, true, false, false, false, false});
+    EXPECT_EQ(dynamics.contacts().size(), 6u);
+    dynamics.remove({true, true, false, false, false, true});
+    const auto after = dynamics.contacts();
+    ASSERT_EQ(after.size(), 3u);
+    for (const auto& contact : after)
     {
-        EXPECT_NEAR(contact.point.x(), 5 * (contact.first + 1), 1e-9);
+        const auto same = std::find_if(before.begin(), before.end(),
+                                       [&](const auto& was) { return was.point == contact.point; });
+        ASSERT_NE(same, before.end());
+        EXPECT_EQ(same->first, contact.first + 4);
+        EXPECT_EQ(same->second, contact.second < 0 ? contact.second : contact.second + 4);
+        EXPECT_EQ(same->force, contact.force);
     }
+
+    fall<2>(dynamics, up<2>(-g), 1e-3);
+    EXPECT_EQ(dynamics.contacts().size(), 3u);
+    dynamics.remove({true, true, true});
+    EXPECT_TRUE(dynamics.contacts().empty());
 }
 
 TEST(Remove, RefusesAListOfAnotherLength)

@@ -82,7 +82,7 @@ void ContactDynamics<D>::Implementation::updateCandidates(const FreeMotion& free
     }
     if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
     {
-        const double skin = restSkin * meanRadius_ + 2 * dt * free.largestSpeed;
+        const double skin = restSkin * meanRadius_ + 4 * dt * free.largestSpeed;
         rebuildCandidates(grains_.position, grains_.orientation, skin,
                           gatherImpulses(candidates_, impulses_, communicator_));
         candidateWalls_ = wallBodies_;

@@ -114,6 +114,7 @@ void Candidates<D>::sort(const Watch<D>& watch, const Vectors<D>& members, const
     std::partial_sum(grainBegin_.begin(), grainBegin_.end(), grainBegin_.begin());
 
     order_.resize(n);
+    place_.resize(n);
     std::vector<int> next(grainBegin_.begin(), grainBegin_.end() - 1);
     const CellGrid<D> grid(members, 2 * mean(watch.members.radius()) + watch.skin);
     for (const int member : grid.members())
@@ -121,7 +122,8 @@ void Candidates<D>::sort(const Watch<D>& watch, const Vectors<D>& members, const
         const int grain = watch.members.grain(member);
         if (member == watch.members.first(grain))
         {
-            order_[next[block[grain]]++] = grain;
+            place_[grain] = next[block[grain]]++;
+            order_[place_[grain]] = grain;
         }
     }
 

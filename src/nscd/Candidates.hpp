@@ -62,6 +62,9 @@ public:
     const std::vector<int>& order() const { return order_; }
     const std::vector<int>& memberOrder() const { return memberOrder_; }
 
+    /// Place of each of the user's grains.
+    const std::vector<int>& place() const { return place_; }
+
     /// Place of the grain that a member belongs to.
     int body(int member) const { return body_[member]; }
 
@@ -94,7 +97,7 @@ private:
     double skin_ = 0;
     Vectors<D> positions_;
     Orientations<D> orientations_;
-    std::vector<int> order_, memberOrder_, memberPlace_, body_, wallBody_;
+    std::vector<int> order_, place_, memberOrder_, memberPlace_, body_, wallBody_;
     std::vector<int> blockOf_;   ///< of members, by place
     std::vector<int> grainBegin_, memberBegin_, blockRank_;
     std::vector<std::size_t> rankBegin_;

@@ -54,7 +54,7 @@ private:
     void measureGrains();
     void measureWalls();
     void checkWallBody(int body, bool free, bool finite) const;
-    int countSubSteps(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
+    int countSubSteps(double dt) const;
 
     /// Stop a run that has blown up, which would overflow or hang: throws std::runtime_error if a grain would move by
     /// more than ten thousand sub-steps allow [m].
@@ -63,12 +63,12 @@ private:
     /// Contacts of this rank in the last step.
     std::vector<ContactForce<D>> ownContacts() const;
 
-    FreeMotion freeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
-    void advance(const FreeMotion& free, double dt, StepReport& report);
-    void updateCandidates(const FreeMotion& free, double dt);
+    void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void advance(double dt, StepReport& report);
+    void updateCandidates(double dt);
     void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, double skin,
                            const std::vector<NamedImpulse<D>>& impulses);
-    void makeBodies(const FreeMotion& free, double dt);
+    void makeBodies(double dt);
 
     /// One pass of the chosen solver over all groups; its largest change is that of all ranks.  Collective.
     Change pass(double tolerance);
@@ -81,7 +81,7 @@ private:
     /// would have to be slower than the sweeps carry impulses through the pile.)
     void separate(double dt, bool converged);
 
-    void move(const FreeMotion& free, double dt, StepReport& report);
+    void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);
 
     /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
@@ -108,11 +108,13 @@ private:
     Members<D> members_;
     double smallestRadius_ = 0, meanRadius_ = 0;
     Candidates<D> candidates_;
+    FreeMotion free_;                    ///< of the present sub-step
     BodyData<D> data_;
     std::unique_ptr<Schedule<D>> schedule_;
     ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
-    std::vector<Body<D>> bodies_, displacements_;
+    std::vector<Body<D>> bodies_;
+    std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps
     std::size_t solves_ = 0;             ///< of this rank in this sub-step
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
 

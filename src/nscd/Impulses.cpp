@@ -39,6 +39,7 @@ std::vector<NamedImpulse<D>> gatherImpulses(const Candidates<D>& candidates, con
                                             const Communicator& communicator)
 {
     std::vector<NamedImpulse<D>> mine;
+    mine.reserve(impulses.size());
     for (std::size_t p = 0; p < impulses.size(); ++p)
     {
         if (impulses[p].normal > 0)

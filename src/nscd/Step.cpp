@@ -50,15 +50,19 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     requireFinite(grains_.velocity, grains_.spin, grains_, "velocity", "spin");
 
     StepReport report;
-    report.subSteps = countSubSteps(force, torque, dt);
+    setFreeMotion(force, torque, dt);
+    report.subSteps = countSubSteps(dt);
     std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
     std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
     const double subStep = dt / report.subSteps;
     for (int s = 0; s < report.subSteps; ++s)
     {
-        const FreeMotion free = freeMotion(force, torque, subStep);
-        requireReach(subStep * free.largestSpeed, subStep);
-        advance(free, subStep, report);
+        if (report.subSteps > 1)
+        {
+            setFreeMotion(force, torque, subStep);
+            requireReach(subStep * free_.largestSpeed, subStep);
+        }
+        advance(subStep, report);
     }
     lastTimeStep_ = dt;
 
@@ -73,10 +77,9 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
 }
 
 template <int D>
-int ContactDynamics<D>::Implementation::countSubSteps(const Vectors<D>& force, const Spins<D>& torque,
-                                                      double dt) const
+int ContactDynamics<D>::Implementation::countSubSteps(double dt) const
 {
-    const double farthest = dt * freeMotion(force, torque, dt).largestSpeed;
+    const double farthest = dt * free_.largestSpeed;
     requireReach(farthest, dt);
     return std::max(1, static_cast<int>(std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_))));
 }
@@ -93,20 +96,18 @@ void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt
 }
 
 template <int D>
-auto ContactDynamics<D>::Implementation::freeMotion(const Vectors<D>& force, const Spins<D>& torque,
-                                                    double dt) const -> FreeMotion
+void ContactDynamics<D>::Implementation::setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt)
 {
-    FreeMotion free;
-    free.velocity.resize(grains_.size());
-    free.spin.resize(grains_.size());
+    free_.velocity.resize(grains_.size());
+    free_.spin.resize(grains_.size());
+    free_.largestSpeed = 0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        free.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
-        free.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
-        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free.spin[i].norm();
-        free.largestSpeed = std::max(free.largestSpeed, free.velocity[i].norm() + turning);
+        free_.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
+        free_.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
+        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free_.spin[i].norm();
+        free_.largestSpeed = std::max(free_.largestSpeed, free_.velocity[i].norm() + turning);
     }
-    return free;
 }
 
 template <int D>

@@ -32,11 +32,11 @@ Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
 }  // namespace
 
 template <int D>
-void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double dt, StepReport& report)
+void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
 {
     Stopwatch watch;
-    updateCandidates(free, dt);
-    makeBodies(free, dt);
+    updateCandidates(dt);
+    makeBodies(dt);
     problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
     contactsOfOthers_.clear();
@@ -52,7 +52,7 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
     }
     lastSubStep_ = dt;
     separate(dt, converged);
-    move(free, dt, report);
+    move(dt, report);
     moveWalls(dt, report);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
@@ -66,23 +66,23 @@ void ContactDynamics<D>::Implementation::advance(const FreeMotion& free, double 
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::updateCandidates(const FreeMotion& free, double dt)
+void ContactDynamics<D>::Implementation::updateCandidates(double dt)
 {
     double farthest = 0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        double way = (grains_.position[i] + dt * free.velocity[i] - candidates_.positions()[i]).squaredNorm();
+        double way = (grains_.position[i] + dt * free_.velocity[i] - candidates_.positions()[i]).squaredNorm();
         if (grains_.shape[i] >= 0)
         {
             const double turn = turnBetween(grains_.orientation[i], candidates_.orientations()[i]);
-            way = std::sqrt(way) + grains_.radius[i] * (turn + dt * free.spin[i].norm());
+            way = std::sqrt(way) + grains_.radius[i] * (turn + dt * free_.spin[i].norm());
             way *= way;
         }
         farthest = std::max(farthest, way);
     }
     if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
     {
-        const double skin = restSkin * meanRadius_ + 4 * dt * free.largestSpeed;
+        const double skin = restSkin * meanRadius_ + 4 * dt * free_.largestSpeed;
         rebuildCandidates(grains_.position, grains_.orientation, skin,
                           gatherImpulses(candidates_, impulses_, communicator_));
         candidateWalls_ = wallBodies_;
@@ -116,21 +116,22 @@ void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& pos
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free, double dt)
+void ContactDynamics<D>::Implementation::makeBodies(double dt)
 {
-    bodies_.clear();
-    data_.before.clear();
-    data_.turning.clear();
-    for (const int i : candidates_.order())
+    bodies_.resize(grains_.size());
+    data_.before.resize(bounces_ ? grains_.size() : 0);
+    data_.turning.resize(levered_ ? grains_.size() : 0);
+    for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        bodies_.push_back({free.velocity[i], surfaceSpeed<D>(free.spin[i], grains_.radius[i]), 1 / grains_.mass[i]});
+        const int k = candidates_.place()[i];
+        bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
         if (bounces_)
         {
-            data_.before.push_back({grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0});
+            data_.before[k] = {grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0};
         }
         if (levered_)
         {
-            data_.turning.push_back(turningOf(grains_, i));
+            data_.turning[k] = turningOf(grains_, static_cast<int>(i));
         }
     }
     for (const WallBody<D>& wall : wallBodies_)
@@ -151,15 +152,16 @@ void ContactDynamics<D>::Implementation::makeBodies(const FreeMotion& free, doub
 template <int D>
 void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
 {
-    displacements_ = bodies_;
-    for (Body<D>& body : displacements_)
-    {
-        body.velocity.setZero();
-    }
+    displacements_.clear();
     const double tolerance = settings_.tolerance / dt;
     if (communicator_.max(problem_.measureOverlaps(bodies_, converged ? 1 : cautiousShare)) <= tolerance)
     {
         return;
+    }
+    displacements_ = bodies_;
+    for (Body<D>& body : displacements_)
+    {
+        body.velocity.setZero();
     }
     const int maxSweeps = std::max(1, settings_.maxSweeps / 4);
     for (int sweeps = 0; sweeps < maxSweeps; ++sweeps)
@@ -176,24 +178,28 @@ void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::move(const FreeMotion& free, double dt, StepReport& report)
+void ContactDynamics<D>::Implementation::move(double dt, StepReport& report)
 {
-    for (std::size_t k = 0; k < grains_.size(); ++k)
+    for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        const int i = candidates_.order()[k];
-        const Vector<D> impulse = grains_.mass[i] * (bodies_[k].velocity - free.velocity[i]);
+        const int k = candidates_.place()[i];
+        const Vector<D> impulse = grains_.mass[i] * (bodies_[k].velocity - free_.velocity[i]);
         const Spin<D> spinChange =
-            toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free.spin[i], grains_.radius[i]))) /
+            toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free_.spin[i], grains_.radius[i]))) /
             grains_.radius[i];
         const Spin<D> spinImpulse = angularMomentum<D>(grains_, i, spinChange);
-        const Spin<D> spin = free.spin[i] + spinChange;
-        report.contactWork += 0.5 * impulse.dot(free.velocity[i] + bodies_[k].velocity) +
-                              0.5 * spinImpulse.dot(free.spin[i] + spin);
+        const Spin<D> spin = free_.spin[i] + spinChange;
+        report.contactWork += 0.5 * impulse.dot(free_.velocity[i] + bodies_[k].velocity) +
+                              0.5 * spinImpulse.dot(free_.spin[i] + spin);
         contactImpulse_[i] += impulse;
         contactSpinImpulse_[i] += spinImpulse;
         grains_.velocity[i] = bodies_[k].velocity;
         grains_.spin[i] = spin;
-        grains_.position[i] += dt * (bodies_[k].velocity + displacements_[k].velocity);
+        grains_.position[i] += dt * bodies_[k].velocity;
+        if (!displacements_.empty())
+        {
+            grains_.position[i] += dt * displacements_[k].velocity;
+        }
         turn(grains_, i, dt);
     }
 }
@@ -220,7 +226,7 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report
                 0.5 * product(wall.orientation, wall.inertia, Spin<D>(spin - freeSpin), Spin<D>(freeSpin + spin));
             wall.velocity = velocity;
             wall.spin = spin;
-            displacement = displacements_[k].velocity;
+            displacement = displacements_.empty() ? Vector<D>::Zero() : displacements_[k].velocity;
             ++k;
         }
         wall.position += dt * (wall.velocity + displacement);

@@ -118,15 +118,16 @@ inline RunOut collapse(double aspect, double initialWidth, double friction)
     return {height / width, (end - width) / width};
 }
 
-/// Opening and mass per second that leaves through it, in two successive halves of the time.
+/// Opening and mass per second that leaves through it, of two equal parts of the mass one after the other.
 struct Discharge
 {
     double opening, first, second;
 };
 
-/// A silo with so many grains over a slot or a square hole; those that have left are taken away.
+/// A silo with so many grains over a slot or a square hole, of which two parts run out after the first 5 %; those that
+/// have left are taken away.
 template <int D>
-Discharge discharge(double opening, double width, std::size_t count)
+Discharge discharge(double opening, double width, std::size_t count, double part = 0.1)
 {
     nscd::Vector<D> side = nscd::Vector<D>::Constant(width);
     Scene<D> scene = filled<D>(side, count, 0.5);
@@ -167,7 +168,7 @@ Discharge discharge(double opening, double width, std::size_t count)
     const double all = std::accumulate(scene.grains.mass.begin(), scene.grains.mass.end(), 0.0);
     double time = 0, mass = all;
     std::vector<double> times;                                     // when these shares of the mass had left
-    for (const double share : {0.05, 0.15, 0.25})
+    for (const double share : {0.05, 0.05 + part, 0.05 + 2 * part})
     {
         while (mass > (1 - share) * all && time < 200)
         {
@@ -186,7 +187,7 @@ Discharge discharge(double opening, double width, std::size_t count)
         }
         times.push_back(time);
     }
-    return {opening, 0.1 * all / (times[1] - times[0]), 0.1 * all / (times[2] - times[1])};
+    return {opening, part * all / (times[1] - times[0]), part * all / (times[2] - times[1])};
 }
 
 /// Exponent of the rate in the opening less 'k' mean diameters.

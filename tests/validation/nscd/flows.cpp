@@ -24,6 +24,20 @@ TEST(Collapse, FollowsThePowerLawOfStaronAndHinch)
     EXPECT_NEAR(std::exp(logarithm) / 3.25, 1, 0.2);
 }
 
+TEST(Discharge, DoesNotDependOnTheHeight)
+{
+    double first = 0, second = 0;
+    for (const double opening : {20.0, 32.0, 50.0})
+    {
+        const Discharge rate = discharge<2>(opening, 120, 6000, 0.2);
+        first += rate.first;
+        second += rate.second;
+    }
+    // between the middles of the two parts the level falls from 0.85 to 0.65: a liquid would slow down by 13 %
+    std::printf("rate at the lower level over that at the higher: %.3f\n", second / first);
+    EXPECT_NEAR(second / first, 1, 0.05);
+}
+
 TEST(Discharge, FollowsBeverlooInThreeDimensions)
 {
     std::vector<Discharge> rates;
@@ -31,7 +45,6 @@ TEST(Discharge, FollowsBeverlooInThreeDimensions)
     {
         rates.push_back(discharge<3>(opening, 40, 10000));
         std::printf("%g d: %.1f and %.1f kg/s\n", opening / 1.8, rates.back().first, rates.back().second);
-        EXPECT_NEAR(rates.back().second / rates.back().first, 1, 0.1) << "the rate must not depend on the height";
     }
     // (B - k d)^2.5, where k = 1.5 +- 0.1
     std::printf("exponent %.3f to %.3f\n", exponent(rates, 1.6), exponent(rates, 1.4));

@@ -187,7 +187,7 @@ TABLE = [
     (
         "mesh3D",
         meshed(NO_EMPTY, swap(BLOCKS, "empty", "patch")),
-        ["mesh", "3 directions", "shape disc", "one cell thick", "'empty'"],
+        [GRAINS, "'shape'", "disc", "sphere, as this mesh is three-dimensional"],
     ),
     (
         "twoCellsThick",

@@ -52,10 +52,11 @@ nscd::Grains<D> readGrains(const grainProperties<D>& properties)
 }
 
 
+template<int D>
 void printTimeStepInFluid
 (
-    const grainProperties<2>& properties,
-    const nscd::Grains<2>& grains,
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains,
     const dictionary& transport
 )
 {
@@ -85,16 +86,12 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     printPacking(properties, grains);
     const bool good = printFaults(properties, grains);
 
-    if (grains.size())
+    if (grains.size() && transport.size())
     {
-        if constexpr (D == 2)
-        {
-            if (transport.size())
-            {
-                printTimeStepInFluid(properties, grains, transport);
-                return good;
-            }
-        }
+        printTimeStepInFluid(properties, grains, transport);
+    }
+    else if (grains.size())
+    {
         printTimeStep(properties, grains);
     }
     return good;

@@ -42,7 +42,7 @@ Foam::grainFluidExchange::grainFluidExchange
         (
             dictionaryInput::subDict
             (
-                grains.properties().coupling(), "drag"
+                grains.motion().coupling(), "drag"
             )
         )
     ),
@@ -116,9 +116,14 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
         {
             continue;
         }
-        const scalar rhop = grains_.density(graini);
+        const scalar rhop = grains_.motion().density(graini);
         const scalar d = grains_.fluidDiameter(graini);
-        const vector weight((1 - rho_.value()/rhop)*deltaT*grains_.properties().g());
+        const vector weight((1 - rho_.value()/rhop)*deltaT*grains_.motion().g());
+        const grainMotion::twist motion(grains_.motion().motion(graini));
+        const grainMotion::twist change
+        (
+            grains_.motion().contactChange(graini, deltaT)
+        );
 
         for
         (
@@ -129,7 +134,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
         {
             const label celli = overlaps.cell[k];
             const vector& arm = overlaps.arm[k];
-            const vector v(grains_.velocity(graini, arm));
+            const vector v(motion.at(arm));
 
             gamma_[k] = drag_->gamma
             (
@@ -137,8 +142,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
                 rho_.value(), mu_.value()
             );
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
-            vo_[k] =
-                v + weight + grains_.contactVelocity(graini, arm, deltaT);
+            vo_[k] = v + weight + change.at(arm);
 
             const scalar w = overlaps.volume[k]/mesh_.V()[celli];
             kappa_[celli] += w*(1 - a_[k]);

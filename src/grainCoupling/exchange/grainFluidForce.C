@@ -16,6 +16,7 @@ void Foam::grainFluidExchange::moveGrains
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalar rho = rho_.value();
+    const vector& g = grains_.motion().g();
 
     // For the torque, the fluid's velocity where the overlap is: a grain that
     // straddles two cells would take their difference for a spin
@@ -26,7 +27,7 @@ void Foam::grainFluidExchange::moveGrains
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        const scalar rhop = grains_.density(graini);
+        const scalar rhop = grains_.motion().density(graini);
 
         for
         (
@@ -40,7 +41,7 @@ void Foam::grainFluidExchange::moveGrains
             (
                 overlaps.volume[k]
                *(
-                  - gradP[celli] - rho*grains_.properties().g()
+                  - gradP[celli] - rho*g
                   + gamma_[k]*a_[k]
                    *(U[celli] - vo_[k] + deltaT/rhop*gradP[celli])
                 )
@@ -71,7 +72,7 @@ void Foam::grainFluidExchange::moveGrains
 
         given_ += deltaT*mesh_.V()[celli]
            *(
-              - solid*rho*grains_.properties().g()
+              - solid*rho*g
               + (kappa_[celli] - solid)*gradP[celli]
               + beta_[celli]*U[celli] - b_[celli]
             );

@@ -12,7 +12,7 @@
 template<int D>
 Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
 :
-    grainView(mesh),
+    grainMotion(mesh),
     properties_(mesh, g)
 {
     const bool restart = isFile(stateFile(), false);

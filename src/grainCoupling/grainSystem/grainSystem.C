@@ -11,32 +11,23 @@
 
 Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 :
-    grainDynamics<2>(mesh, g),
+    mesh_(mesh),
+    motion_(grainMotion::New(mesh, g)),
+    cells_(motion_->cells()),
     voidFraction_
     (
         voidFractionMethod::New
         (
-            dictionaryInput::subDict(properties().coupling(), "voidFraction"),
-            space()
+            dictionaryInput::subDict(motion_->coupling(), "voidFraction"),
+            *cells_
         )
     )
 {
-    for (const int shapei : grains().shape)
+    if (motion_->conducts())
     {
-        if (shapei >= 0)
-        {
-            FatalIOErrorInFunction(properties().dict())
-                << "Keyword 'shape' of 'initialGrains' names "
-                << properties().shapes().name(shapei) << nl
-                << "    allowed with a fluid: " << grainSpace<2>::shape
-                << exit(FatalIOError);
-        }
-    }
-
-    if (heat())
-    {
-        FatalIOErrorInFunction(properties().dict())
-            << "Keyword 'heat': this solver does not conduct heat" << nl
+        FatalIOErrorInFunction(motion_->coupling())
+            << "Keyword 'heat' of constant/grainProperties: this solver does"
+            << " not conduct heat" << nl
             << "    allowed: in dryGrainFoam" << exit(FatalIOError);
     }
 
@@ -51,33 +42,17 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
         }
     }
 
-    fluidForce_.resize(size(), Zero);
     map();
     checkLost();
 }
 
 
-Foam::scalar Foam::grainSystem::volume(const label graini) const
-{
-    return space().volume(fluidRadius_[graini]);
-}
-
-
 void Foam::grainSystem::map()
 {
-    const label n = size();
+    bodies_ = motion_->bodies();
+    voidFraction_->map(bodies_, overlaps_);
 
-    centre_.resize(n);
-    fluidRadius_.resize(n);
-    forAll(centre_, i)
-    {
-        centre_[i] = centre(i);
-        fluidRadius_[i] = Foam::sqrt(properties().packingRatio())*radius(i);
-    }
-
-    voidFraction_->map(centre_, fluidRadius_, overlaps_);
-
-    mappedVolume_.resize(n);
+    mappedVolume_.resize(size());
     forAll(mappedVolume_, i)
     {
         mappedVolume_[i] = 0;
@@ -91,33 +66,16 @@ void Foam::grainSystem::map()
 }
 
 
-Foam::vector Foam::grainSystem::contactVelocity
-(
-    const label graini,
-    const vector& arm,
-    const scalar deltaT
-) const
+bool Foam::grainSystem::isWithinBounds(const label graini) const
 {
-    const scalar lastDeltaT = dynamics().lastTimeStep();
-    if (lastDeltaT <= 0)
+    for (const grainMember& body : bodies_.members(graini))
     {
-        return Zero;
+        if (!cells_->isWithinBounds(body))
+        {
+            return false;
+        }
     }
-
-    const nscd::Spin<2> spin
-    (
-        nscd::spinOf<2>
-        (
-            grains(), graini, grains().orientation[graini],
-            dynamics().contactSpinImpulse()[graini]
-        )
-    );
-    return deltaT/lastDeltaT*
-    (
-        space().toSpace(dynamics().contactImpulse()[graini])
-       /grains().mass[graini]
-      + (space().spinInSpace(spin) ^ arm)
-    );
+    return true;
 }
 
 
@@ -128,8 +86,7 @@ void Foam::grainSystem::move
     const scalar deltaT
 )
 {
-    advance(fluidForce, fluidTorque, deltaT);
-    fluidForce_ = fluidForce;
+    motion_->move(fluidForce, fluidTorque, deltaT);
     map();
 }
 
@@ -141,12 +98,13 @@ void Foam::grainSystem::checkLost() const
         if (mappedVolume_[i] <= 0)
         {
             FatalErrorInFunction
-                << "Grain " << id(i) << " at "
-                << centre_[i] << " with velocity " << velocity(i)
+                << "Grain " << motion_->id(i) << " at "
+                << centres()[i] << " with velocity " << motion_->velocity(i)
                 << " has left the mesh at time " << mesh().time().timeName()
                 << nl << "    there is a gap in the walls, or the time step"
                 << " is too large for the contact solver (worst overlap "
-                << lastStep().worstOverlap << " m)" << exit(FatalError);
+                << motion_->lastStep().worstOverlap << " m)"
+                << exit(FatalError);
         }
     }
 }

@@ -34,8 +34,6 @@ Foam::grainLedger::grainLedger
 
 void Foam::grainLedger::setVolumes()
 {
-    const Eigen::AlignedBox2d box(grains_.space().globalDomain());
-
     grainVolume_ = 0;
     mappedVolume_ = 0;
     mappingError_ = 0;
@@ -46,10 +44,7 @@ void Foam::grainLedger::setVolumes()
         grainVolume_ += V;
         mappedVolume_ += mapped;
 
-        const scalar r = grains_.fluidDiameter(i)/2;
-        const Eigen::Vector2d x(grains_.space().toPlane(grains_.centres()[i]));
-        const Eigen::Vector2d reach(r, r);
-        if (box.contains(x - reach) && box.contains(x + reach))
+        if (grains_.isWithinBounds(i))
         {
             mappingError_ = max(mappingError_, mag(V - mapped)/V);
         }

@@ -14,7 +14,7 @@ void Foam::grainLedger::print() const
         << " max " << maxCourant_
         << ", mixture divergence " << divergence_ << nl;
 
-    contactReport::print(grains_.lastStep());
+    contactReport::print(grains_.motion().lastStep());
 
     Info<< "Volume    mapped to " << mappingError_ << " of a grain, overfull "
         << exchange_.overfull() << " m^3, defect of the step "
@@ -56,6 +56,6 @@ void Foam::grainLedger::write()
         << c << g.x() << c << g.y() << c << g.z()
         << c << r.x() << c << r.y() << c << r.z()
         << c << momentumError_ << c << divergence_ << c << volumeDefect_ << c;
-    contactReport::write(file_(), grains_.lastStep());
+    contactReport::write(file_(), grains_.motion().lastStep());
     file_() << c << progress_.elapsed() << endl;
 }

@@ -90,16 +90,19 @@ void printLimits
 }
 
 
+template<int D>
 void Foam::printTimeStep
 (
-    const grainProperties<2>& properties,
-    const nscd::Grains<2>& grains,
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains,
     const dragLaw& drag,
     const scalar rho,
     const scalar mu
 )
 {
     const scalar g = mag(properties.g());
+    const scalar ratio =
+        properties.space().lengthRatio(properties.packingRatio());
 
     scalar speed = speedAndDiameter(grains).first();
     for (std::size_t i = 0; i < grains.size(); ++i)
@@ -110,7 +113,7 @@ void Foam::printTimeStep
             settlingSpeed
             (
                 drag,
-                2*grains.radius[i]*Foam::sqrt(properties.packingRatio()),
+                2*grains.radius[i]*ratio,
                 properties.materials().density(grains.material[i]),
                 rho, mu, g
             )
@@ -162,6 +165,16 @@ void Foam::printTimeStep
 }
 
 
+template void Foam::printTimeStep
+(
+    const grainProperties<2>&, const nscd::Grains<2>&,
+    const dragLaw&, const scalar, const scalar
+);
+template void Foam::printTimeStep
+(
+    const grainProperties<3>&, const nscd::Grains<3>&,
+    const dragLaw&, const scalar, const scalar
+);
 template void Foam::printTimeStep
 (
     const grainProperties<2>&, const nscd::Grains<2>&

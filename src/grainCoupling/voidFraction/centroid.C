@@ -7,8 +7,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
-#include "mathematicalConstants.H"
-#include "planarMesh.H"
 
 namespace Foam
 {
@@ -23,10 +21,10 @@ namespace voidFractionMethods
 Foam::voidFractionMethods::centroid::centroid
 (
     const dictionary& dict,
-    const planarMesh& plane
+    const grainCells& cells
 )
 :
-    voidFractionMethod(plane),
+    voidFractionMethod(cells),
     pressureDiffusion_
     (
         dictionaryInput::getScalarOrDefault
@@ -41,26 +39,20 @@ Foam::voidFractionMethods::centroid::centroid
 
 void Foam::voidFractionMethods::centroid::map
 (
-    const pointField& centres,
-    const scalarField& radii,
+    const grainBodies& grains,
     overlapList& overlaps
 ) const
 {
-    overlaps.clear();
+    const overlapList last(overlaps.renew());
 
-    forAll(centres, graini)
+    forAll(grains.centre, graini)
     {
-        const label celli = plane_.findCell(plane_.toPlane(centres[graini]));
-
-        if (celli >= 0)
-        {
-            overlaps.append
-            (
-                celli,
-                constant::mathematical::pi*sqr(radii[graini])*plane_.depth(),
-                Zero
-            );
-        }
+        appendPoint
+        (
+            grains.centre[graini], grains.radius[graini],
+            cells_.volume(grains.radius[graini]), Zero,
+            hint(last, graini), overlaps
+        );
         overlaps.endGrain();
     }
 }

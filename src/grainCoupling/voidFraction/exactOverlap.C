@@ -7,8 +7,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
-#include "overlap/DiscPolygon.hpp"
-#include "planarMesh.H"
 
 namespace Foam
 {
@@ -23,10 +21,10 @@ namespace voidFractionMethods
 Foam::voidFractionMethods::exactOverlap::exactOverlap
 (
     const dictionary& dict,
-    const planarMesh& plane
+    const grainCells& cells
 )
 :
-    voidFractionMethod(plane)
+    voidFractionMethod(cells)
 {
     dictionaryInput::checkKeywords(dict, {"type"});
 }
@@ -34,41 +32,23 @@ Foam::voidFractionMethods::exactOverlap::exactOverlap
 
 void Foam::voidFractionMethods::exactOverlap::map
 (
-    const pointField& centres,
-    const scalarField& radii,
+    const grainBodies& grains,
     overlapList& overlaps
 ) const
 {
-    overlaps.clear();
+    const overlapList last(overlaps.renew());
 
-    forAll(centres, graini)
+    forAll(grains.centre, graini)
     {
-        const planarMesh::point2 centre(plane_.toPlane(centres[graini]));
-        const scalar radius = radii[graini];
-        const planarMesh::point2 corner(radius, radius);
-
-        plane_.forCells
-        (
-            Eigen::AlignedBox2d(centre - corner, centre + corner),
-            [&](const label celli)
-            {
-                const overlap::AreaMoment part = overlap::discPolygon
-                (
-                    centre, radius,
-                    plane_.polygon(celli), plane_.polygonSize(celli)
-                );
-
-                if (part.area > 0)
-                {
-                    overlaps.append
-                    (
-                        celli,
-                        part.area*plane_.depth(),
-                        plane_.toSpace(part.centroid - centre)
-                    );
-                }
-            }
-        );
+        const SubList<grainMember> members(grains.members(graini));
+        if (members.size() == 1)
+        {
+            cells_.appendOverlaps(members[0], hint(last, graini), overlaps);
+        }
+        else
+        {
+            cells_.appendOverlaps(members, grains.centre[graini], overlaps);
+        }
         overlaps.endGrain();
     }
 }

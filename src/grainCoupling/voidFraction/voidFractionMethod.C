@@ -17,11 +17,34 @@ namespace Foam
 Foam::autoPtr<Foam::voidFractionMethod> Foam::voidFractionMethod::New
 (
     const dictionary& dict,
-    const planarMesh& plane
+    const grainCells& cells
 )
 {
     return dictionaryInput::selected
     (
         *dictionaryConstructorTablePtr_, dict, "void-fraction method"
-    )(dict, plane);
+    )(dict, cells);
+}
+
+
+void Foam::voidFractionMethod::appendPoint
+(
+    const point& x,
+    const scalar radius,
+    const scalar volume,
+    const vector& arm,
+    const label hint,
+    overlapList& overlaps
+) const
+{
+    const scalar small = 1e-3*radius;
+    const scalar scale = volume/cells_.volume(small);
+
+    label k = overlaps.size();
+    cells_.appendOverlaps({x, small}, hint, overlaps);
+    for (; k < overlaps.size(); ++k)
+    {
+        overlaps.volume[k] *= scale;
+        overlaps.arm[k] = arm;
+    }
 }

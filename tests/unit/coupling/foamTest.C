@@ -7,7 +7,6 @@
 
 #include "cellModel.H"
 #include "cellShape.H"
-#include "emptyPolyPatch.H"
 #include "IStringStream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -133,25 +132,28 @@ void foamTest::emptyCase::writeFile
 }
 
 
-foamTest::planarCase::planarCase
+foamTest::blockCase::blockCase
 (
-    const label nx,
-    const label ny,
+    const Vector<label>& n,
     const boundBox& bounds,
     const map& moved,
+    const word& frontAndBack,
     const std::string& controlDict,
     const std::string& fvSolution
 )
 :
     emptyCase(controlDict, fvSolution)
 {
+    const label nx = n.x();
+    const label ny = n.y();
+    const label nz = n.z();
     const auto vertex = [=](const label i, const label j, const label k)
     {
         return i + (nx + 1)*(j + (ny + 1)*k);
     };
 
-    pointField points(2*(nx + 1)*(ny + 1));
-    for (label k = 0; k < 2; ++k)
+    pointField points((nx + 1)*(ny + 1)*(nz + 1));
+    for (label k = 0; k <= nz; ++k)
     for (label j = 0; j <= ny; ++j)
     for (label i = 0; i <= nx; ++i)
     {
@@ -159,7 +161,7 @@ foamTest::planarCase::planarCase
         (
             bounds.min().x() + (bounds.max().x() - bounds.min().x())*i/nx,
             bounds.min().y() + (bounds.max().y() - bounds.min().y())*j/ny,
-            k ? bounds.max().z() : bounds.min().z()
+            bounds.min().z() + (bounds.max().z() - bounds.min().z())*k/nz
         );
         points[vertex(i, j, k)] = moved ? moved(p) : p;
     }
@@ -167,34 +169,35 @@ foamTest::planarCase::planarCase
     enum { left, right, bottom, top, back, front, nPatches };
     List<DynamicList<face>> faces(nPatches);
 
-    cellShapeList cells(nx*ny);
+    cellShapeList cells(nx*ny*nz);
+    for (label k = 0; k < nz; ++k)
     for (label j = 0; j < ny; ++j)
     for (label i = 0; i < nx; ++i)
     {
         const label v[8] =
         {
-            vertex(i, j, 0),
-            vertex(i+1, j, 0),
-            vertex(i+1, j+1, 0),
-            vertex(i, j+1, 0),
-            vertex(i, j, 1),
-            vertex(i+1, j, 1),
-            vertex(i+1, j+1, 1),
-            vertex(i, j+1, 1)
+            vertex(i, j, k),
+            vertex(i+1, j, k),
+            vertex(i+1, j+1, k),
+            vertex(i, j+1, k),
+            vertex(i, j, k+1),
+            vertex(i+1, j, k+1),
+            vertex(i+1, j+1, k+1),
+            vertex(i, j+1, k+1)
         };
         const auto side = [&](label a, label b, label c, label d)
         {
             return face(labelList({v[a], v[b], v[c], v[d]}));
         };
 
-        cells[i + nx*j] = cellShape
+        cells[i + nx*(j + ny*k)] = cellShape
         (
             cellModel::ref(cellModel::HEX),
             labelList(UList<label>(const_cast<label*>(v), 8))
         );
 
-        faces[back].append(side(0, 3, 2, 1));
-        faces[front].append(side(4, 5, 6, 7));
+        if (k == 0) faces[back].append(side(0, 3, 2, 1));
+        if (k == nz - 1) faces[front].append(side(4, 5, 6, 7));
         if (i == 0) faces[left].append(side(0, 4, 7, 3));
         if (i == nx - 1) faces[right].append(side(1, 2, 6, 5));
         if (j == 0) faces[bottom].append(side(0, 1, 5, 4));
@@ -208,7 +211,6 @@ foamTest::planarCase::planarCase
     }
 
     const word& wall = wallPolyPatch::typeName;
-    const word& empty = emptyPolyPatch::typeName;
 
     // v1912 has no fvMesh from cell shapes
     const polyMesh shapes
@@ -226,7 +228,7 @@ foamTest::planarCase::planarCase
         cells,
         patchFaces,
         wordList({"left", "right", "bottom", "top", "back", "front"}),
-        wordList({wall, wall, wall, wall, empty, empty}),
+        wordList({wall, wall, wall, wall, frontAndBack, frontAndBack}),
         "defaultFaces",
         wall,
         wordList(nPatches)

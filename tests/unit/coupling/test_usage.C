@@ -8,7 +8,7 @@
 #include "dragLaw.H"
 #include "grainHeat.H"
 #include "grainMaterials.H"
-#include "planarMesh.H"
+#include "planarCells.H"
 #include "sizeDistribution.H"
 #include "voidFractionMethod.H"
 
@@ -97,7 +97,8 @@ TEST(UsageOfHeaders, IsThereForWhatIsSelectable)
 {
     const auto found = examples();
     for (const char* name : {"Coulomb", "DallavalleDiFelice", "centroid", "csvGrains",
-        "exactOverlap", "grainHeat", "grainMaterials", "grainTracks", "grainWalls"})
+        "exactOverlap", "gaussianKernel", "grainHeat", "grainMaterials", "grainTracks",
+        "grainWalls", "satellitePoints"})
     {
         EXPECT_TRUE(found.count(name)) << name;
     }
@@ -110,9 +111,11 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
 
     foamTest::planarCase planar(2, 2);
     const planarMesh plane(planar.mesh());
-    for (const char* name : {"centroid", "exactOverlap"})
+    const planarCells cells(plane);
+    for (const char* name :
+        {"centroid", "exactOverlap", "gaussianKernel", "satellitePoints"})
     {
-        EXPECT_NO_THROW(voidFractionMethod::New(example(name).subDict("voidFraction"), plane));
+        EXPECT_NO_THROW(voidFractionMethod::New(example(name).subDict("voidFraction"), cells));
     }
 
     for (const char* name :

@@ -5,7 +5,14 @@
 import numpy as np
 import pytest
 from dry_box import GRAINS, cubic
-from grain_box import control, ledger, replace, tracks
+from grain_box import (
+    assert_same_grains,
+    control,
+    ledger,
+    replace,
+    run_whole_and_parts,
+    tracks,
+)
 from sphere_box import SIDE, cell_volumes, decompose, field, random_spheres, sphere_box
 from test_restart import track_lines
 
@@ -147,15 +154,9 @@ def test_stop_and_restart(clone, mesh):
     whole, parts = (falling_spheres(clone, mesh, name=name) for name in ("a", "b"))
     for case in (whole, parts):
         control(case, writeFormat="binary")
-    whole.run("grainFoam")
-    control(parts, endTime=0.03)
-    parts.run("grainFoam")
-    control(parts, endTime=0.06)
-    parts.run("grainFoam")
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.03, end=0.06)
     assert "Grains continue from" in parts.log
-    a, b = whole.grains(), parts.grains()
-    for name in a:
-        np.testing.assert_array_equal(a[name], b[name], err_msg=name)
+    assert_same_grains(whole, parts)
     for name in ("U", "p", "p_rgh", "eps"):
         np.testing.assert_array_equal(field(whole, name), field(parts, name), err_msg=name)
     assert track_lines(whole) == track_lines(parts)

@@ -42,7 +42,7 @@ void run(std::size_t count)
     settings.tolerance = 1e-15;
     nscd::ContactDynamics<D> dynamics(std::move(pile.grains), pile.walls, table, settings, MPI_COMM_SELF);
     const nscd::Spins<D> noTorque(pile.weight.size(), nscd::Spin<D>::Zero());
-    double seconds = 0, solves = 0;
+    double seconds = 0, detection = 0, solves = 0;
     std::size_t contacts = 0;
     for (int step = 0; step < settling + measured; ++step)
     {
@@ -51,13 +51,15 @@ void run(std::size_t count)
         if (step >= settling)
         {
             seconds += watch.seconds();
+            detection += report.detectionTime;
             solves += static_cast<double>(report.solves);
         }
         contacts = report.contacts;
     }
     const auto n = static_cast<double>(pile.weight.size());
-    std::printf("%d,%zu,%zu,%.4g,%.4g,%.4g,%.4g\n", D, pile.weight.size(), contacts, 1e3 * seconds / measured,
-                1e6 * seconds / measured / n, solves / seconds / 1e6, (residentBytes() - before) / n);
+    std::printf("%d,%zu,%zu,%.4g,%.4g,%.4g,%.4g,%.4g\n", D, pile.weight.size(), contacts, 1e3 * seconds / measured,
+                1e6 * seconds / measured / n, 1e6 * detection / measured / n,
+                solves / seconds / 1e6, (residentBytes() - before) / n);
     std::fflush(stdout);
 }
 
@@ -66,7 +68,8 @@ void run(std::size_t count)
 int main(int argc, char** argv)
 {
     const std::size_t largest = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1000000;
-    std::printf("dimension,grains,contacts,msPerStep,usPerStepAndGrain,millionSolvesPerSecond,bytesPerGrain\n");
+    std::printf("dimension,grains,contacts,msPerStep,usPerStepAndGrain,detectionUs,millionSolvesPerSecond,"
+                "bytesPerGrain\n");
     for (std::size_t n = 1000; n <= largest; n *= 10)
     {
         run<2>(n);

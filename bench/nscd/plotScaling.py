@@ -13,7 +13,8 @@ GRAINS = {2: "discs", 3: "spheres"}
 def main(source, picture):
     rows = np.genfromtxt(source, delimiter=",", names=True)
     figure, (time, memory) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
-    print("| grains | contacts | us per step and grain | bytes per grain |\n|---|---|---|---|")
+    print("| grains | contacts | us per step and grain | of detection | bytes per grain |")
+    print("|---|---|---|---|---|")
     for dimension, name in GRAINS.items():
         part = rows[rows["dimension"] == dimension]
         slope = np.polyfit(np.log(part["grains"]), np.log(part["msPerStep"]), 1)[0]
@@ -23,7 +24,8 @@ def main(source, picture):
         for row in part:
             print(
                 f"| {row['grains']:.0f} {name} | {row['contacts']:.0f} "
-                f"| {row['usPerStepAndGrain']:.2f} | {row['bytesPerGrain']:.0f} |"
+                f"| {row['usPerStepAndGrain']:.2f} | {row['detectionUs']:.2f} "
+                f"| {row['bytesPerGrain']:.0f} |"
             )
     ends = np.array([1e3, 1e6])
     time.loglog(ends, ends * 1e-3, "k:", label="1 us per grain")

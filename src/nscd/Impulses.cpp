@@ -47,7 +47,7 @@ std::vector<NamedImpulse<D>> gatherImpulses(const Candidates<D>& candidates, con
             mine.push_back(named(candidates, candidates.pairs()[p], impulses[p]));
         }
     }
-    return communicator.gather(mine);
+    return communicator.gather(std::move(mine));
 }
 
 template <int D>

@@ -56,8 +56,8 @@ private:
     void checkWallBody(int body, bool free, bool finite) const;
     int countSubSteps(double dt) const;
 
-    /// Stop a run that has blown up, which would overflow or hang: throws std::runtime_error if a grain would move by
-    /// more than ten thousand sub-steps allow [m].
+    /// Stop a run that has blown up, which would overflow or hang: throws std::runtime_error if a grain or a wall
+    /// would move by more than ten thousand sub-steps allow [m].
     void requireReach(double farthest, double dt) const;
 
     /// Contacts of this rank in the last step.
@@ -86,6 +86,9 @@ private:
 
     /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
     double wallDisplacement(double dt) const;
+
+    /// Bound of the speed of a point of a wall in a step without contacts [m/s].
+    double largestWallSpeed(double dt) const;
 
     static bool isFree(const WallBody<D>& wall) { return std::isfinite(wall.mass); }
     int freeBodies() const { return static_cast<int>(std::count_if(wallBodies_.begin(), wallBodies_.end(), isFree)); }

@@ -9,6 +9,7 @@
 #include "nscd/Validation.hpp"
 
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace nscd
@@ -60,7 +61,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
         if (report.subSteps > 1)
         {
             setFreeMotion(force, torque, subStep);
-            requireReach(subStep * free_.largestSpeed, subStep);
+            requireReach(subStep * std::max(free_.largestSpeed, largestWallSpeed(subStep)), subStep);
         }
         advance(subStep, report);
     }
@@ -79,7 +80,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
 template <int D>
 int ContactDynamics<D>::Implementation::countSubSteps(double dt) const
 {
-    const double farthest = dt * free_.largestSpeed;
+    const double farthest = dt * std::max(free_.largestSpeed, largestWallSpeed(dt));
     requireReach(farthest, dt);
     return std::max(1, static_cast<int>(std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_))));
 }
@@ -90,8 +91,10 @@ void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt
     constexpr double maxSubSteps = 10000;
     if (!(farthest / (settings_.maxDisplacement * 2 * smallestRadius_) <= maxSubSteps))
     {
-        throw std::runtime_error("a grain would move by " + std::to_string(farthest) + " m in a step of " +
-                                 std::to_string(dt) + " s: too far for sub-steps");
+        std::ostringstream message;
+        message << "a grain or a wall would move by " << farthest << " m in a step of " << dt
+                << " s: too far for sub-steps";
+        throw std::runtime_error(message.str());
     }
 }
 

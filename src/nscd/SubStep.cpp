@@ -82,7 +82,8 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
     }
     if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
     {
-        const double skin = restSkin * meanRadius_ + 4 * dt * free_.largestSpeed;
+        const double way = dt * free_.largestSpeed;
+        const double skin = restSkin * meanRadius_ + std::max(4 * way, 2 * (way + dt * largestWallSpeed(dt)));
         rebuildCandidates(grains_.position, grains_.orientation, skin,
                           gatherImpulses(candidates_, impulses_, communicator_));
         candidateWalls_ = wallBodies_;
@@ -247,6 +248,19 @@ double ContactDynamics<D>::Implementation::wallDisplacement(double dt) const
                                           turn * wallExtent_[b]);
     }
     return farthest;
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::largestWallSpeed(double dt) const
+{
+    double largest = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        const WallBody<D>& wall = wallBodies_[b];
+        const Vector<D> velocity = wall.velocity + dt / wall.mass * wall.force;
+        largest = std::max(largest, velocity.norm() + wall.spin.norm() * wallExtent_[b]);
+    }
+    return largest;
 }
 
 template class ContactDynamics<2>::Implementation;

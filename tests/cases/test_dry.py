@@ -229,3 +229,12 @@ def test_lost_grain_stops_the_run(clone, dimension):
     # It falls 6 mm in 35 ms: complete states are there until then, and one for a look
     assert case.times[-2:] == ["0.03", "0.035"]
     assert (case.path / "0.035/grains.h5.failed").exists()
+
+
+def test_table_of_a_spreadsheet_is_read(clone):
+    """With a byte order mark, quotes and the line ends of Windows."""
+    case = dry_box(clone, dimension=2)
+    rows = '\ufeff"x","y","z","radius"\r\n0.05,0.05,0,0.004\r\n'
+    (case.path / "constant/grains.csv").write_bytes(rows.encode())
+    case.run("dryGrainFoam")
+    assert case.grains()["radius"] == [0.004]

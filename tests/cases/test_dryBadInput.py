@@ -67,6 +67,18 @@ TABLE = [
     ("surface", wall('type surface; file "no.stl";'), ["'file'", "no.stl", "exists"]),
     ("motionType", motion("type jump;"), ["'type'", "jump", *MOTIONS]),
     ("motionKey", motion("type translation; velocity (0 1 0); x 1;"), ["motion", "'x'"]),
+    ("tableOfNothing", motion("type table;"), ["motion", "'displacement'", "none", "angle"]),
+    (
+        "tableOutOfOrder",
+        motion("type table; displacement table ((0 (0 0 0)) (2 (0 0 0)) (1 (0 1 0)));"),
+        ["other.motion", "'displacement'", "out-of-order value: 1", "increase"],
+    ),
+    (
+        "twoLawsOfAPair",
+        section("contactLaws", "materials (steel glass); type Coulomb; friction 1;"),
+        ["one", "'materials'", "(steel glass)", "no other law"],
+    ),
+    ("friction", law("friction 1e30;"), ["'friction'", "1e+30", "from 0 to 1e+15"]),
     ("outletType", section("outlets", "type hole;"), ["'type'", "hole", "beyond", "patches"]),
     ("outletPatch", section("outlets", "type patches; patches (lid);"), ["'patches'", "lid"]),
     ("outletBox", section("outlets", "type box; box (0 0 0) (0 1 0);"), ["'box'", "two corners"]),
@@ -115,6 +127,14 @@ def test_bad_input_is_refused(clone, spoil, fragments):
         assert fragment in case.log, f"no '{fragment}' in\n{case.log[case.log.find('-->') :]}"
     assert "\nTime = " not in case.log
     assert case.times == before
+    assert "printStack" not in case.log
+
+
+def test_grains_that_are_too_fast_are_reported(clone):
+    """By name, though their kinetic energy is more than a number holds."""
+    case = dry_box(clone, [(0.05, 0.05)], velocity=[(1e200, 0)], dimension=2)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    assert "too far for sub-steps" in case.log
     assert "printStack" not in case.log
 
 

@@ -30,10 +30,11 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
 {
     grainDynamics<D> grains(mesh, g);
     grainOutlets<D> outlets(grains);
-    dryLedger<D> ledger(grains, outlets);
 
     // What goes wrong is looked for and reported by name
     const sigFpe::ignore ignoreFpe;
+
+    dryLedger<D> ledger(grains, outlets);
 
     Info<< "\nStarting time loop\n" << endl;
 

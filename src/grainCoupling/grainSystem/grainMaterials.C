@@ -71,7 +71,14 @@ void Foam::grainMaterials::readContactLaws()
         }
 
         table_.set(ij[0], ij[1], contactLaw::New(law)->parameters());
-        withLaw_.insert(std::minmax(ij[0], ij[1]));
+        if (!withLaw_.insert(std::minmax(ij[0], ij[1])).second)
+        {
+            dictionaryInput::badValue
+            (
+                law, "materials", '(' + pair[0] + ' ' + pair[1] + ')',
+                "a pair that has no other law"
+            );
+        }
     }
 }
 

@@ -62,6 +62,11 @@ Foam::csvTable::csvTable
     while (std::getline(is, text))
     {
         ++line;
+        if (line == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0)
+        {
+            // Byte order mark of spreadsheets
+            text.erase(0, 3);
+        }
         const std::string content = trimmed(text);
         if (content.empty() || content[0] == '#')
         {

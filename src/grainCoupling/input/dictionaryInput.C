@@ -58,10 +58,10 @@ scalar readChecked
     return value;
 }
 
-string interval(const scalar low, const scalar high)
+string interval(const scalar value, const scalar low, const scalar high)
 {
     OStringStream os;
-    if (high >= labelMax)
+    if (high >= labelMax && value < low)
     {
         os  << "a value >= " << low;
     }
@@ -140,7 +140,7 @@ Foam::scalar Foam::dictionaryInput::getScalar
 
     if (value < low || value > high)
     {
-        badValue(dict, keyword, name(value), interval(low, high));
+        badValue(dict, keyword, name(value), interval(value, low, high));
     }
     return value;
 }
@@ -204,7 +204,7 @@ Foam::label Foam::dictionaryInput::getLabel
 
     if (value < low || value > high)
     {
-        badValue(dict, keyword, name(value), interval(low, high));
+        badValue(dict, keyword, name(value), interval(value, low, high));
     }
     return value;
 }

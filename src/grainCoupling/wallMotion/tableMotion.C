@@ -10,6 +10,43 @@
 
 addToSelection(wallMotion, wallMotions, table)
 
+namespace
+{
+
+using namespace Foam;
+
+// Function1's own errors name neither the file nor the keyword
+template<class Type>
+autoPtr<Function1<Type>> readFunction(const dictionary& dict, const word& keyword)
+{
+    string message;
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
+    autoPtr<Function1<Type>> result;
+    try
+    {
+        result = Function1<Type>::New(keyword, dict);
+    }
+    catch (const Foam::error& err)
+    {
+        message = err.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+
+    if (!message.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "': " << message.c_str() << nl
+            << "    allowed: a function of time; the times of a table increase"
+            << exit(FatalIOError);
+    }
+    return result;
+}
+
+}
+
+
 template<int D>
 Foam::wallMotions::table<D>::table
 (
@@ -26,13 +63,20 @@ Foam::wallMotions::table<D>::table
         dict, {"type", "displacement", "angle", "origin", "axis"}
     );
 
+    if (!dict.found("displacement") && !dict.found("angle"))
+    {
+        dictionaryInput::badValue
+        (
+            dict, "displacement", "none", "one of displacement and angle, or both"
+        );
+    }
     if (dict.found("displacement"))
     {
-        displacement_ = Function1<vector>::New("displacement", dict);
+        displacement_ = readFunction<vector>(dict, "displacement");
     }
     if (dict.found("angle"))
     {
-        angle_ = Function1<scalar>::New("angle", dict);
+        angle_ = readFunction<scalar>(dict, "angle");
         origin_ = space.fromSpace(dict.get<point>("origin"));
         axis_ = readAxis(dict, space);
     }

@@ -74,6 +74,39 @@ TYPED_TEST(MovingBody, LiftedFloorCarriesAGrain)
     EXPECT_NEAR(dynamics.wallBodies()[0].position[D - 1], 0.1, 1e-12);
 }
 
+TYPED_TEST(MovingBody, FloorMeetsAGrainWhateverItsWayInAStep)
+{
+    constexpr int D = TestFixture::dimension;
+    for (const double way : {0.7, 1.3, 2.5, 5.0, 40.0})   // radii in a step
+    {
+        for (const double gap : {0.1, 0.5, 1.5, 2.5})
+        {
+            Scene<D> scene;
+            addMovingFloor<D>(scene.walls);
+            scene.add(up<D>(1 + gap));
+            auto dynamics = withBodies<D>(scene, {{}});
+            dynamics.setWallMotion(0, up<D>(way / dt), nscd::Spin<D>::Zero());
+            const int steps = 1 + static_cast<int>(gap / way);
+            for (int i = 0; i < steps; ++i)
+            {
+                fall<D>(dynamics, nscd::Vector<D>::Zero(), dt);
+            }
+            EXPECT_NEAR(dynamics.grains().position[0][D - 1], 1 + steps * way, 1e-9) << way << ' ' << gap;
+        }
+    }
+}
+
+TYPED_TEST(MovingBody, IsStoppedWhenItBlowsUp)
+{
+    constexpr int D = TestFixture::dimension;
+    Scene<D> scene;
+    addMovingFloor<D>(scene.walls);
+    scene.add(up<D>(2));
+    auto dynamics = withBodies<D>(scene, {{}});
+    dynamics.setWallMotion(0, up<D>(1e9), nscd::Spin<D>::Zero());
+    EXPECT_THROW(fall<D>(dynamics, nscd::Vector<D>::Zero(), dt), std::runtime_error);
+}
+
 TYPED_TEST(MovingBody, BeltDragsAGrainUntilItRolls)
 {
     constexpr int D = TestFixture::dimension;

@@ -138,15 +138,6 @@ def test_grains_that_are_too_fast_are_reported(clone):
     assert "printStack" not in case.log
 
 
-def test_clusters_in_a_fluid_are_refused(clone):
-    case = clone("grainBox")
-    case.run("blockMesh")
-    section("shapes", "type cluster; centres ((0 0 0) (1 0 0)); radii (1 1);")(case)
-    (case.path / "constant/grains.csv").write_text("x,y,z,radius,shape\n0.05,0.05,0,0.004,one\n")
-    assert case.run("grainFoam", check=False, timeout=60) == 1
-    assert "allowed with a fluid: disc" in case.log
-
-
 def test_initial_grains_overlap_across_a_period(clone):
     """Grains and walls are met by all images, as in the run."""
     case = cyclic_box(clone, [(0.001, 0.05), (0.0985, 0.05)], 0.002)

@@ -227,6 +227,12 @@ BAD = [
         f"type settled; from {{ {FILL} }} deltaT 1e-3; maxTime 0.01;",
         ["'maxTime'", "come to rest"],
     ),
+    (
+        "output",
+        f'{FILL} output "constant/g/grains.csv";',
+        ["'output'", "constant/g/grains.csv", "can be written"],
+    ),
+    ("fullDisk", f'{FILL} output "/dev/full";', ["/dev/full"]),
 ]
 
 

@@ -30,6 +30,7 @@ Usage
 #include "OFstream.H"
 #include "OSspecific.H"
 
+#include "dictionaryInput.H"
 #include "grainChecks.H"
 #include "packingReport.H"
 
@@ -91,6 +92,14 @@ void pack(const fvMesh& mesh, const dictionary& dict)
                 << ',' << q.v().z();
         }
         os  << nl;
+    }
+    os.flush();
+    if (!os.good())
+    {
+        dictionaryInput::badValue
+        (
+            dict, "output", file, "a file that can be written, on a disk with room"
+        );
     }
 
     printPacking(properties, grains);

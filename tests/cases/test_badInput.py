@@ -99,8 +99,8 @@ TABLE = [
     ),
     (
         "dragLaw",
-        swap(GRAINS, "DallavalleDiFelice", "Stokes"),
-        [GRAINS, "'type'", "Stokes", "DallavalleDiFelice"],
+        swap(GRAINS, "DallavalleDiFelice", "Stoke"),
+        [GRAINS, "'type'", "Stoke", "DallavalleDiFelice"],
     ),
     (
         "contactLaw",

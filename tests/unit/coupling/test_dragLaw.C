@@ -109,7 +109,7 @@ TEST(DragLaw, IsSelectedByName)
         dragLaw::New(dict)->gamma(0.6, 0.1, d, rho, mu),
         Law::gamma(Law::sphere, 0.6, 0.1, d, rho, mu)
     );
-    EXPECT_FOAM_ERROR(dragLaw::New(foamTest::dict("type Stokes;")), "DallavalleDiFelice");
+    EXPECT_FOAM_ERROR(dragLaw::New(foamTest::dict("type Stoke;")), "DallavalleDiFelice");
     EXPECT_FOAM_ERROR
     (
         dragLaw::New(foamTest::dict("type DallavalleDiFelice; shape cube;")), "disc, sphere"

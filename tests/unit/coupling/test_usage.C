@@ -107,7 +107,14 @@ TEST(UsageOfHeaders, IsThereForWhatIsSelectable)
 
 TEST(UsageOfHeaders, IsAcceptedByTheClasses)
 {
-    EXPECT_NO_THROW(dragLaw::New(example("DallavalleDiFelice").subDict("drag")));
+    for (const char* name :
+        {
+            "Beetstra", "DallavalleDiFelice", "ErgunWenYu", "KochHill", "Rong",
+            "SchillerNaumann", "Stokes", "thesisPrinted"
+        })
+    {
+        EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag")));
+    }
 
     foamTest::planarCase planar(2, 2);
     const planarMesh plane(planar.mesh());

@@ -55,7 +55,7 @@ TEST(DragOfSpheres, GrowsFromStokesToNewton)
 
 TEST(DragOfSpheres, IsErgunsInABedAndWenAndYusAbove)
 {
-    for (const scalar Re : {0.1, 10.0, 1000.0})
+    for (const scalar Re : {0.1, 10.0, 500.0, 2000.0})
     {
         EXPECT_NEAR(coefficient("ErgunWenYu", 0.4, Re)/ergun(0.4, Re), 1, 1e-12);
         EXPECT_NEAR

@@ -6,6 +6,8 @@ import csv
 import shutil
 import subprocess
 
+import grainplot
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -49,3 +51,16 @@ def test_sedimentationTableTellsTheMethodsApart(tutorial):
     assert float(exact["volume without room [% of grains]"]) == 0
     # A cell three diameters wide holds 9 to 12 centres of a packing of 0.91
     assert float(centroid["volume without room [% of grains]"]) > 1
+
+
+@pytest.mark.parametrize(
+    "tutorial", [ROOT / "tutorials/dryGrainFoam/jammingSilo"], ids=lambda p: p.name, indirect=True
+)
+def test_silosHaveTheOrificesOfTheirNames(tutorial):
+    cases = list(tutorial.glob("width_*"))
+    assert len(cases) == 8
+    for case in cases:
+        mesh = grainplot.read_mesh(case)
+        x = np.abs(np.concatenate(mesh.polygons)[:, 0])
+        width = int(case.name.removeprefix("width_"))
+        assert 2 * x[x > 1e-6].min() == pytest.approx(0.004 * width)  # vertices at 0 and the edges

@@ -65,9 +65,8 @@ int main(int argc, char** argv)
     const int steps = argc > 1 ? std::atoi(argv[1]) : 10000;
     auto together = drum(MPI_COMM_WORLD);
     auto alone = drum(MPI_COMM_SELF);
-    const auto start = nscd::bisect<3>(together.grains().position, 2);
+    std::vector<int> half = nscd::bisect<3>(together.grains().position, 2);
     std::size_t changes = 0;
-    std::vector<int> half = start;
     bool same = true;
     for (int step = 0; step < steps; ++step)
     {

@@ -174,9 +174,14 @@ TABLE = [
     ("zeroDeltaT", swap(CONTROL, "1e-3", "0"), [CONTROL, "'deltaT'", "> 0"]),
     ("negativeDeltaT", swap(CONTROL, "1e-3", "-1e-3"), [CONTROL, "'deltaT'", "> 0"]),
     (
-        "adjustTimeStep",
-        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes;"),
-        [CONTROL, "'adjustTimeStep'", "value yes", "no"],
+        "maxGrainCo",
+        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; maxGrainCo 0;"),
+        [CONTROL, "'maxGrainCo'", "value 0", "> 0"],
+    ),
+    (
+        "maxDeltaT",
+        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; maxDeltaT -1;"),
+        [CONTROL, "'maxDeltaT'", "value -1", "> 0"],
     ),
     ("maxSweeps", swap(GRAINS, "200", "0"), [GRAINS, "'maxSweeps'", "value 0", ">= 1"]),
     (

@@ -138,6 +138,14 @@ def test_grains_that_are_too_fast_are_reported(clone):
     assert "printStack" not in case.log
 
 
+def test_steps_that_adjust_themselves_are_refused(clone):
+    case = dry_box(clone, [(0.05, 0.05)], dimension=2)
+    case.dict_set("system/controlDict", "adjustTimeStep", "yes")
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in ("system/controlDict", "'adjustTimeStep'", "no; the time step of this solver"):
+        assert fragment in case.log
+
+
 def test_initial_grains_overlap_across_a_period(clone):
     """Grains and walls are met by all images, as in the run."""
     case = cyclic_box(clone, [(0.001, 0.05), (0.0985, 0.05)], 0.002)

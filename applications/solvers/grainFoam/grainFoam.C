@@ -21,12 +21,12 @@ Description
 #include "fvCFD.H"
 #include "pisoControl.H"
 
+#include "adjustableTimeStep.H"
 #include "dictionaryInput.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"
 #include "incompleteTimes.H"
 #include "sigFpe.H"
-#include "timeControl.H"
 
 int main(int argc, char *argv[])
 {
@@ -51,8 +51,11 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.loop())
+    while (runTime.run())
     {
+        timeStep.set(phiU);
+        ++runTime;
+
         ledger.startStep(phiU);
 
         exchange.predict(U);

@@ -8,7 +8,7 @@
 #include "dictionaryInput.H"
 #include "Time.H"
 
-void Foam::requireFixedTimeStep(const Time& runTime)
+void Foam::requireTimeStep(const Time& runTime)
 {
     if (runTime.deltaTValue() <= 0)
     {
@@ -18,13 +18,20 @@ void Foam::requireFixedTimeStep(const Time& runTime)
             "a value > 0"
         );
     }
+}
+
+
+void Foam::requireFixedTimeStep(const Time& runTime)
+{
+    requireTimeStep(runTime);
 
     if (runTime.controlDict().getOrDefault("adjustTimeStep", false))
     {
         dictionaryInput::badValue
         (
             runTime.controlDict(), "adjustTimeStep", "yes",
-            "no; the time step is fixed, checkGrains recommends one"
+            "no; the time step of this solver is fixed, checkGrains recommends"
+            " one"
         );
     }
 }

@@ -5,6 +5,7 @@
 
 #include "foamTest.H"
 
+#include "adjustableTimeStep.H"
 #include "dragLaw.H"
 #include "grainHeat.H"
 #include "grainMaterials.H"
@@ -115,6 +116,10 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     {
         EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag")));
     }
+
+    const adjustableTimeStep::limits limits(example("adjustableTimeStep").subDict("controlDict"));
+    EXPECT_TRUE(limits.adjusts);
+    EXPECT_EQ(limits.maxDeltaT, 1e-2);
 
     foamTest::planarCase planar(2, 2);
     const planarMesh plane(planar.mesh());

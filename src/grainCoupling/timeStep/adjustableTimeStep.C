@@ -1,0 +1,229 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "adjustableTimeStep.H"
+
+#include "dictionaryInput.H"
+#include "fvcSurfaceIntegrate.H"
+#include "timeControl.H"
+
+Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
+:
+    adjusts(dict.getOrDefault("adjustTimeStep", false)),
+    maxCo(dictionaryInput::getPositiveOrDefault(dict, "maxCo", dimless, 1)),
+    maxGrainCo
+    (
+        dictionaryInput::getPositiveOrDefault(dict, "maxGrainCo", dimless, 0.5)
+    ),
+    maxGrainDisplacement
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "maxGrainDisplacement", dimless, 0.1
+        )
+    ),
+    maxDeltaT
+    (
+        dictionaryInput::getPositiveOrDefault(dict, "maxDeltaT", dimTime, GREAT)
+    )
+{}
+
+
+Foam::adjustableTimeStep::adjustableTimeStep
+(
+    Time& runTime,
+    const grainSystem& grains,
+    const scalar rho
+)
+:
+    time_(runTime),
+    grains_(grains),
+    rho_(rho)
+{
+    requireTimeStep(runTime);
+    limits checked(runTime.controlDict());
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::grown
+(
+    const scalar before,
+    const scalar limit
+)
+{
+    return min(limit, before*min(1 + 0.1*limit/before, scalar(1.2)));
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::dividing
+(
+    const scalar time,
+    const scalar deltaT
+)
+{
+    // What is left of a step by round-off is none
+    const scalar step =
+        time < GREAT ? time/max(std::ceil(time/deltaT - 1e-9), 1.0) : deltaT;
+
+    const scalar digit = std::pow(10.0, std::floor(std::log10(step)) - 9);
+    return digit*std::round(step/digit);
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::timeToMove
+(
+    const scalar distance,
+    const scalar v,
+    const scalar a
+)
+{
+    const scalar root = v + std::sqrt(v*v + 4*a*distance);
+    return root > 0 ? 2*distance/root : GREAT;
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::courantOfFluid
+(
+    const surfaceScalarField& phiU
+) const
+{
+    const scalarField sumPhi(fvc::surfaceSum(mag(phiU))().primitiveField());
+    return 0.5*gMax(sumPhi/grains_.mesh().V().field());
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::courantOfGrains() const
+{
+    const fvMesh& mesh = grains_.mesh();
+    const overlapList& overlaps = grains_.overlaps();
+    const vectorField& Sf = mesh.faceAreas();
+
+    scalar worst = 0;
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        const vector v(grains_.motion().motion(graini).velocity);
+        for
+        (
+            label k = overlaps.start[graini];
+            k < overlaps.start[graini + 1];
+            ++k
+        )
+        {
+            const label celli = overlaps.cell[k];
+            scalar sum = 0;
+            for (const label facei : mesh.cells()[celli])
+            {
+                sum += mag(v & Sf[facei]);
+            }
+            worst = max(worst, 0.5*sum/mesh.V()[celli]);
+        }
+    }
+    return returnReduce(worst, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::displacementLimit
+(
+    const scalar fraction
+) const
+{
+    const grainMotion& motion = grains_.motion();
+
+    scalar smallest = GREAT;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        smallest = min(smallest, motion.radius(i));
+    }
+
+    scalar limit = GREAT;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        const scalar a = mag((1 - rho_/motion.density(i))*motion.g());
+        const scalar v = mag(motion.motion(i).velocity);
+        limit = min(limit, timeToMove(fraction*2*smallest, v, a));
+    }
+    return limit;
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::timeToWrite(const scalar deltaT) const
+{
+    const word control
+    (
+        time_.controlDict().getOrDefault<word>("writeControl", "timeStep")
+    );
+    if (control != "adjustable" && control != "adjustableRunTime")
+    {
+        return GREAT;
+    }
+
+    const scalar interval = dictionaryInput::getPositive
+    (
+        time_.controlDict(), "writeInterval", dimTime
+    );
+    const scalar elapsed = time_.value() - time_.startTime().value();
+    const scalar next =
+        interval*(std::floor((elapsed + 1e-6*deltaT)/interval) + 1);
+    return next - elapsed;
+}
+
+
+void Foam::adjustableTimeStep::set(const surfaceScalarField& phiU)
+{
+    const limits given(time_.controlDict());
+    if (!given.adjusts)
+    {
+        return;
+    }
+
+    // To round-off the last step of the grains' state, which restarts know
+    const scalar last = grains_.motion().lastTimeStep();
+    const scalar before = last > 0 ? last : time_.deltaTValue();
+
+    const std::pair<const char*, scalar> all[] =
+    {
+        {"maxCo", given.maxCo/max(courantOfFluid(phiU), VSMALL)},
+        {"maxGrainCo", given.maxGrainCo/max(courantOfGrains(), VSMALL)},
+        {
+            "maxGrainDisplacement",
+            displacementLimit(given.maxGrainDisplacement)
+        },
+        {"maxDeltaT", given.maxDeltaT}
+    };
+
+    Info<< nl << "Limits of deltaT:";
+    const char* governing = "";
+    scalar limit = GREAT;
+    for (const auto& one : all)
+    {
+        if (one.second < GREAT)
+        {
+            Info<< ' ' << one.first << ' ' << one.second << " s,";
+        }
+        if (one.second < limit)
+        {
+            governing = one.first;
+            limit = one.second;
+        }
+    }
+
+    scalar deltaT = last > 0 ? grown(before, limit) : min(before, limit);
+    if (deltaT < limit)
+    {
+        governing = last > 0 ? "growth" : "deltaT";
+    }
+
+    const scalar toWrite = timeToWrite(deltaT);
+    deltaT = dividing(toWrite, deltaT);
+    time_.setDeltaT(deltaT, false);
+
+    Info<< " deltaT = " << deltaT << " s by " << governing;
+    if (toWrite < GREAT)
+    {
+        Info<< ", " << label(std::round(toWrite/deltaT))
+            << " steps to the next time of writing";
+    }
+    Info<< endl;
+}

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Time steps that adjust themselves: limits hold, times of writing are met, restarts continue."""
+
+import re
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, lattice, ledger, replace, run_whole_and_parts
+from test_restart import assert_same, track_lines
+
+RADIUS = 0.004
+D = 2 * RADIUS
+PILE = [*lattice(6, 2, D, (RADIUS, RADIUS)), (0.03, 0.08), (0.062, 0.05)]
+
+
+def adjusting(case, write_interval=0.02, end=0.2, **limits):
+    """Limits as in controlDict."""
+    entries = "".join(f"{key} {value};\n" for key, value in limits.items())
+    replace(case, "system/controlDict", "purgeWrite", f"adjustTimeStep yes;\n{entries}purgeWrite")
+    control(case, writeControl="adjustableRunTime", writeInterval=write_interval, endTime=end)
+
+
+def steps(case):
+    """Lengths of all steps [s]."""
+    return np.diff(ledger(case)["time"], prepend=0)
+
+
+def governing(case):
+    return re.findall(r"deltaT = \S+ s by (\w+)", case.log)
+
+
+@pytest.mark.parametrize(
+    "limits, governs",
+    [
+        ({"maxGrainDisplacement": 0.02, "maxGrainCo": 10, "maxCo": 10}, "maxGrainDisplacement"),
+        ({"maxGrainDisplacement": 10, "maxGrainCo": 0.03, "maxCo": 10}, "maxGrainCo"),
+        ({"maxGrainDisplacement": 10, "maxGrainCo": 10, "maxCo": 0.02}, "maxCo"),
+        ({"maxGrainDisplacement": 10, "maxGrainCo": 10, "maxDeltaT": 2e-3}, "maxDeltaT"),
+    ],
+)
+def test_steps_keep_to_the_limit_that_governs(clone, limits, governs):
+    case = grain_box(clone, PILE, RADIUS)
+    adjusting(case, **limits)
+    case.run("grainFoam")
+    length = steps(case)
+    book = ledger(case)
+    assert governing(case).count(governs) >= 0.5 * len(length)
+    assert book["time"][-1] == pytest.approx(0.2, rel=1e-12)
+    # Longer by a fifth at most, whatever limits do
+    assert np.all(length[1:] <= 1.2 * length[:-1] * (1 + 1e-8))
+    assert length[0] <= 1e-3
+
+    # A step is taken at the speed of the one before
+    speed = np.append(0, book["maxVelocity"][:-1])
+    if governs == "maxGrainDisplacement":
+        # No more than what the fall under the reduced weight adds
+        assert np.all(book["maxVelocity"] * length <= 0.02 * D * (1 + 1e-9))
+    if governs == "maxGrainCo":
+        # Cells of 0.01 m, a single fast grain that falls straight down
+        assert np.all(speed * length / 0.01 <= 0.03 * (1 + 1e-6))
+    if governs == "maxCo":
+        assert case.logged("Courant number mean ").max() <= 0.03
+        assert case.logged(" max ").max() <= 0.02 * 1.3
+    if governs == "maxDeltaT":
+        assert length.max() <= 2e-3 * (1 + 1e-9)
+
+
+def test_times_of_writing_are_met_by_shorter_steps(clone):
+    case = grain_box(clone, PILE, RADIUS)
+    adjusting(case, write_interval=0.0077, end=0.0385)
+    case.run("grainFoam")
+    assert case.times[1:] == ["0.0077", "0.0154", "0.0231", "0.0308", "0.0385"]
+    # The first step is that of controlDict
+    assert steps(case)[1:].min() > 0.4 * steps(case).max()
+
+
+def test_stop_and_restart(clone):
+    whole, parts = (grain_box(clone, PILE, RADIUS, name=name) for name in ("a", "b"))
+    for case in (whole, parts):
+        adjusting(case, end=0.08)
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
+    assert "Grains continue from" in parts.log
+    assert len(set(np.round(steps(whole), 7))) > 5
+    assert_same(whole, parts)
+    assert track_lines(whole) == track_lines(parts)
+
+
+def test_a_pile_at_rest_stays_at_rest_while_steps_grow(clone):
+    """Impulses of the last step enter the next as forces: nothing moves when its length changes."""
+    pile = lattice(10, 3, 0.01, (0.005, 0.005))
+    case = grain_box(clone, pile, 0.005)
+    adjusting(case, end=0.5, write_interval=0.5, maxDeltaT=4e-3)
+    control(case, deltaT=1e-4)
+    case.run("grainFoam")
+    length = steps(case)
+    assert length.max() > 20 * length.min()
+    settled = length.cumsum() > 0.05
+    # The contact solver's tolerance is 1e-7 m per step
+    assert np.all(ledger(case)["maxVelocity"][settled] * length[settled] <= 2e-7)
+    assert np.abs(case.grains()["position"] - pile).max() <= 1e-5

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, replace
+from grain_box import control, grain_box, ledger, replace
 
 GHIA = Path(__file__).parent / "reference/ghiaCavityRe100.csv"
 SIZE = 0.1
@@ -63,6 +63,7 @@ def test_equals_piso_foam(clone, correctors):
     p = ours.field("p") / 1000
     np.testing.assert_allclose(p, theirs.field("p"), rtol=0, atol=1e-12 * LID**2)
     assert np.ptp(p) > 0.1 * LID**2
+    assert np.all(ledger(ours)["volumeDefect"] == 0)
 
 
 def test_cavity_at_re_100_agrees_with_ghia(clone):

@@ -85,14 +85,15 @@ void Foam::grainLedger::endStep
     (
        -deltaT*fvc::div(oldEpsf_()*phiU)().primitiveField()
     );
-    volumeDefect_ = gSum
+    const scalar defect = gSum
     (
         mag
         (
             (exchange_.eps().primitiveField() - oldEps_ - inflow)
            *mesh_.V().field()
         )()
-    )/max(grainVolume_, VSMALL);
+    );
+    volumeDefect_ = grainVolume_ > 0 ? defect/grainVolume_ : 0;
 
     const vector given = exchange_.momentumGiven();
     const vector received = exchange_.momentumReceived();

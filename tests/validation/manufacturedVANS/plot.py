@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors and orders of convergence of the manufactured solutions: results.csv, results.png."""
+
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from grainresults import Results
+
+CELLS = [16, 32, 64]
+SPEEDS = {0: "steady eps", 1: "travelling eps"}
+
+
+def errors(speed):
+    """Relative errors of U and p, (meshes, 2)."""
+    logs = (Path(f"speed{speed}_{n}/log.manufacturedVANS").read_text() for n in CELLS)
+    return np.array(
+        [re.search(r"Error of U (\S+), of p (\S+)", log).groups() for log in logs], dtype=float
+    )
+
+
+def main():
+    results = Results()
+    figure, ax = plt.subplots(figsize=(6, 4.5), layout="constrained")
+    h = 1 / np.array(CELLS)
+    for speed, title in SPEEDS.items():
+        error = errors(speed)
+        order = np.log2(error[:-1] / error[1:])
+        results.add(f"{title}: error of u, {CELLS[-1]} cells", error[-1, 0])
+        results.add(f"{title}: order of u", order[:, 0].min(), "-", 1.8, ">=", "second order")
+        results.add(f"{title}: error of p, {CELLS[-1]} cells", error[-1, 1])
+        results.add(f"{title}: order of p", order[:, 1].min())
+        ax.loglog(h, error[:, 0], "o-", label=f"{title}, u")
+        ax.loglog(h, error[:, 1], "s--", label=f"{title}, p")
+    ax.loglog(h, 0.001 * (h / h[-1]) ** 2, "k:", label="second order")
+    ax.set(xlabel="h/L", ylabel="relative error", title="manufactured solutions")
+    ax.legend()
+    figure.savefig("results.png", dpi=110)
+    results.finish()
+
+
+main()

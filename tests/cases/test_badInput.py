@@ -241,6 +241,12 @@ TABLE = [
         swap(GRAINS, "exactOverlap;", "exactOverlap; x 1;"),
         ["voidFraction", "'x'", "allowed"],
     ),
+    (
+        "viscosityLaw",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ viscosity { type Krieger; }"),
+        [GRAINS, "viscosity", "Krieger", "Batchelor Einstein KriegerDougherty none"],
+    ),
+    ("gap", swap(FLUID, "rho ", "HeleShaw { gap 0; }\nrho "), [FLUID, "'gap'", "value 0", "> 0"]),
     ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
     (
         "gravityAcross",

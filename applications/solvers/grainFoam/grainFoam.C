@@ -23,8 +23,10 @@ Description
 
 #include "adjustableTimeStep.H"
 #include "dictionaryInput.H"
+#include "effectiveViscosity.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"
+#include "HeleShaw.H"
 #include "incompleteTimes.H"
 #include "sigFpe.H"
 

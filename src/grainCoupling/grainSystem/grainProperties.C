@@ -75,7 +75,8 @@ void Foam::grainProperties<D>::check() const
     {
         dictionaryInput::checkKeywords
         (
-            coupling(), {"packingRatio", "voidFraction", "drag"}
+            coupling(),
+            {"packingRatio", "voidFraction", "drag", "viscosity"}
         );
     }
 

@@ -7,8 +7,10 @@
 
 #include "adjustableTimeStep.H"
 #include "dragLaw.H"
+#include "effectiveViscosity.H"
 #include "grainHeat.H"
 #include "grainMaterials.H"
+#include "HeleShaw.H"
 #include "planarCells.H"
 #include "sizeDistribution.H"
 #include "voidFractionMethod.H"
@@ -116,6 +118,12 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     {
         EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag")));
     }
+
+    for (const char* name : {"Batchelor", "Einstein", "KriegerDougherty", "noEffectiveViscosity"})
+    {
+        EXPECT_NO_THROW(effectiveViscosity::New(example(name)));
+    }
+    EXPECT_GT(HeleShawDrag(example("HeleShaw"), 1), 0);
 
     const adjustableTimeStep::limits limits(example("adjustableTimeStep").subDict("controlDict"));
     EXPECT_TRUE(limits.adjusts);

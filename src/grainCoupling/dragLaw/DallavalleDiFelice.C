@@ -51,7 +51,7 @@ Foam::scalar Foam::dragLaws::DallavalleDiFelice::gamma
     // The dip of the exponent vanishes on both sides; the floor only keeps
     // the logarithm finite at rest
     const scalar Re = eps*rho*w*d/mu;
-    const scalar fromDip = 1.5 - std::log10(std::max(Re, 1e-20));
+    const scalar fromDip = 1.5 - std::log(std::max(Re, 1e-20))/M_LN10;
     const scalar exponent = 2.8 - 0.65*std::exp(-0.5*fromDip*fromDip);
     const scalar root = shapeFactor*(0.63*std::sqrt(Re) + 4.8);
 

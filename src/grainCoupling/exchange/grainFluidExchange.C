@@ -97,6 +97,7 @@ void Foam::grainFluidExchange::setEps()
 
 void Foam::grainFluidExchange::predict(const volVectorField& U)
 {
+    const stopwatch::lap lap(time_);
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
 
@@ -110,6 +111,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
     G_ = dimensionedVector(G_.dimensions(), Zero);
     K_ = dimensionedScalar(K_.dimensions(), Zero);
 
+    const scalarField& V = mesh_.V();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         if (overlaps.start[graini] == overlaps.start[graini + 1])
@@ -144,12 +146,14 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
             vo_[k] = v + weight + change.at(arm);
 
-            const scalar w = overlaps.volume[k]/mesh_.V()[celli];
-            kappa_[celli] += w*(1 - a_[k]);
-            beta_[celli] += w*gamma_[k]*a_[k];
-            b_[celli] += w*gamma_[k]*a_[k]*vo_[k];
-            G_[celli] += w*a_[k]*vo_[k];
-            K_[celli] += w*a_[k]*deltaT/rhop;
+            const scalar wa = overlaps.volume[k]/V[celli]*a_[k];
+            const scalar wag = wa*gamma_[k];
+            const scalar wat = wa*deltaT/rhop;
+            kappa_[celli] += wat*gamma_[k];
+            beta_[celli] += wag;
+            b_[celli] += wag*vo_[k];
+            G_[celli] += wa*vo_[k];
+            K_[celli] += wat;
         }
     }
 

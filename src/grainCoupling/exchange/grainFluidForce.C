@@ -13,6 +13,7 @@ void Foam::grainFluidExchange::moveGrains
     const volVectorField& gradP
 )
 {
+    const stopwatch::lap lap(time_);
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalar rho = rho_.value();
@@ -21,6 +22,8 @@ void Foam::grainFluidExchange::moveGrains
     // For the torque, the fluid's velocity where the overlap is: a grain that
     // straddles two cells would take their difference for a spin
     const volTensorField gradU(fvc::grad(U));
+
+    const vectorField& C = mesh_.C();
 
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
@@ -48,8 +51,7 @@ void Foam::grainFluidExchange::moveGrains
             );
             const vector fromCentre
             (
-                grains_.centres()[graini] + overlaps.arm[k]
-              - mesh_.C()[celli]
+                grains_.centres()[graini] + overlaps.arm[k] - C[celli]
             );
             const vector shear
             (

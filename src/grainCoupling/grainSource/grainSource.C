@@ -82,7 +82,7 @@ void Foam::grainSource<D>::checkKeywords(const dictionary& dict, wordList own)
     (
         wordList
         (
-            {"type", "material", "shape", "seed", "temperature", "output"}
+            {"type", "material", "shape", "seed", "temperature", "output", "order"}
         )
     );
     dictionaryInput::checkKeywords(dict, own);

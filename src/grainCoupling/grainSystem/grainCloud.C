@@ -65,6 +65,7 @@ template<int D>
 void Foam::grainDynamics<D>::writeCloud() const
 {
     const nscd::Grains<D>& g = grains();
+    locate();
 
     // Also the positions that older readers look for
     particle::writeLagrangianPositions = true;

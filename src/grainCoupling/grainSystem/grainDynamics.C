@@ -67,7 +67,6 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     {
         heat_->check(grains());
     }
-    locate();
 }
 
 
@@ -114,13 +113,19 @@ void Foam::grainDynamics<D>::advance
             << mesh().time().timeName() << ": " << err.what()
             << exit(FatalError);
     }
-    locate();
+    isLocated_ = false;
 }
 
 
 template<int D>
-void Foam::grainDynamics<D>::locate()
+void Foam::grainDynamics<D>::locate() const
 {
+    if (isLocated_)
+    {
+        return;
+    }
+    isLocated_ = true;
+
     cell_.resize(size(), label(-1));
     labelList found(size());
     forAll(found, i)
@@ -158,6 +163,7 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
 template<int D>
 void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
 {
+    locate();
     label kept = 0;
     forAll(cell_, i)
     {
@@ -173,7 +179,7 @@ void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
     }
     fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
     dynamics_->remove(gone);
-    locate();
+    isLocated_ = false;
 }
 
 
@@ -199,7 +205,7 @@ Foam::grainDynamics<D>::contacts() const
 template<int D>
 void Foam::grainDynamics<D>::checkInside() const
 {
-    const label i = outside_.find(true);
+    const label i = outside().find(true);
     if (i >= 0)
     {
         save(".failed");

@@ -27,8 +27,6 @@ template<int D>
 Foam::grainBodies Foam::grainDynamics<D>::bodies() const
 {
     const nscd::Grains<D>& g = grains();
-    const nscd::Members<D> members(g);
-    const nscd::Vectors<D> centres(members.positions(g.position, g.orientation));
 
     // Of the lengths that the fluid sees
     const scalar ratio = space().lengthRatio(properties_.packingRatio());
@@ -37,9 +35,24 @@ Foam::grainBodies Foam::grainDynamics<D>::bodies() const
     result.centre.resize(size());
     result.radius.resize(size());
     result.start.resize(size() + 1);
-    result.member.resize(members.size());
-
     result.start[0] = 0;
+
+    if (g.clusters.empty())
+    {
+        result.member.resize(size());
+        forAll(result.member, i)
+        {
+            result.centre[i] = space().positionInSpace(g.position[i]);
+            result.radius[i] = ratio*radius(i);
+            result.start[i + 1] = i + 1;
+            result.member[i] = {result.centre[i], result.radius[i]};
+        }
+        return result;
+    }
+
+    const nscd::Members<D> members(g);
+    const nscd::Vectors<D> centres(members.positions(g.position, g.orientation));
+    result.member.resize(members.size());
     forAll(result.centre, i)
     {
         const point x(space().positionInSpace(g.position[i]));

@@ -86,7 +86,10 @@ void Foam::grainSystem::move
     const scalar deltaT
 )
 {
-    motion_->move(fluidForce, fluidTorque, deltaT);
+    {
+        const stopwatch::lap lap(motionTime_);
+        motion_->move(fluidForce, fluidTorque, deltaT);
+    }
     map();
 }
 

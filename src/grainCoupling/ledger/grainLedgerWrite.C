@@ -23,7 +23,15 @@ void Foam::grainLedger::print() const
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
-    progress_.print();
+    const auto percent = [&](const scalar time)
+    {
+        return std::to_string(std::lround(100*time/progress_.elapsed()));
+    };
+    progress_.print
+    (
+        " (contacts " + percent(grains_.motionTime())
+      + " %, mapping and exchange " + percent(exchange_.exchangeTime()) + " %)"
+    );
 }
 
 
@@ -42,7 +50,7 @@ void Foam::grainLedger::write()
             "time,grainVolume,mappedVolume,mappingError,overfull,"
             "given_x,given_y,given_z,received_x,received_y,received_z,"
             "momentumError,divergence,volumeDefect," CONTACT_COLUMNS
-            ",elapsedTime"
+            ",motionTime,exchangeTime,elapsedTime"
         );
     }
 
@@ -57,5 +65,7 @@ void Foam::grainLedger::write()
         << c << r.x() << c << r.y() << c << r.z()
         << c << momentumError_ << c << divergence_ << c << volumeDefect_ << c;
     contactReport::write(file_(), grains_.motion().lastStep());
-    file_() << c << progress_.elapsed() << endl;
+    file_()
+        << c << grains_.motionTime() << c << exchange_.exchangeTime()
+        << c << progress_.elapsed() << endl;
 }

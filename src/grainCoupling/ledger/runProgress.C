@@ -44,12 +44,12 @@ Foam::runProgress::runProgress(const Time& runTime)
 {}
 
 
-void Foam::runProgress::print() const
+void Foam::runProgress::print(const string& shares) const
 {
     const scalar done = time_.value() - startTime_;
     const scalar toDo = time_.endTime().value() - time_.value();
 
-    Info<< "Elapsed   " << duration(elapsed()).c_str() << ", about "
+    Info<< "Elapsed   " << duration(elapsed()).c_str() << shares.c_str() << ", about "
         << duration(elapsed()/max(done, VSMALL)*max(toDo, 0.0)).c_str()
         << " to go" << endl;
 }

@@ -29,13 +29,68 @@ bool Foam::planarCells::isWithinBounds(const grainMember& disc) const
 }
 
 
-void Foam::planarCells::appendOverlaps
+bool Foam::planarCells::appendNear
 (
     const grainMember& disc,
-    const label,
+    const label hint,
     overlapList& overlaps
 ) const
 {
+    // Beyond it, what is cut off is too small for the difference below
+    constexpr scalar largestDistance = 0.999;
+
+    const planarMesh::point2 centre(plane_.toPlane(disc.centre));
+    const scalar r = disc.radius;
+
+    const label celli = plane_.findCell(centre, hint);
+    if (celli < 0)
+    {
+        return false;
+    }
+
+    const planarMesh::approach here(plane_.near(celli, centre, r));
+    if (here.nClose == 0)
+    {
+        overlaps.append(celli, volume(r), Zero);
+        return true;
+    }
+
+    const scalar h = here.distance/r;
+    if
+    (
+        here.nClose > 1 || here.neighbour < 0 || h < 0 || h > largestDistance
+     || plane_.near(here.neighbour, centre, r).nClose > 1
+    )
+    {
+        return false;
+    }
+
+    // Circular segments of a unit disc on both sides of the edge
+    const scalar halfChord = std::sqrt((1 - h)*(1 + h));
+    const scalar beyond = std::atan2(halfChord, h) - h*halfChord;
+    const scalar within = constant::mathematical::pi - beyond;
+    const scalar moment = 2.0/3.0*pow3(halfChord);
+
+    const scalar unit = sqr(r)*plane_.depth();
+    const vector arm(plane_.toSpace(r*moment*here.normal));
+    overlaps.append(celli, within*unit, arm/within);
+    overlaps.append(here.neighbour, beyond*unit, -arm/beyond);
+    return true;
+}
+
+
+void Foam::planarCells::appendOverlaps
+(
+    const grainMember& disc,
+    const label hint,
+    overlapList& overlaps
+) const
+{
+    if (appendNear(disc, hint, overlaps))
+    {
+        return;
+    }
+
     const planarMesh::point2 centre(plane_.toPlane(disc.centre));
 
     plane_.forCells

@@ -108,6 +108,7 @@ Foam::planarMesh::planarMesh(const fvMesh& mesh)
 {
     setAxes();
     setPolygons();
+    setEdges();
     setBins();
 }
 

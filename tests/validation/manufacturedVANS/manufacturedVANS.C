@@ -18,6 +18,7 @@ Description
 #include "fvCFD.H"
 #include "pisoControl.H"
 
+#include "effectiveViscosity.H"
 #include "exactSolution.H"
 #include "prescribedGrains.H"
 
@@ -39,9 +40,15 @@ int main(int argc, char *argv[])
 
     const dimensionedScalar rho("rho", dimDensity, 2);
     const dimensionedScalar mu("mu", dimPressure*dimTime, 0.1);
+    const dimensionedScalar wallDrag("wallDrag", dimDensity/dimTime, 3);
+    const autoPtr<effectiveViscosity> viscosity
+    (
+        effectiveViscosity::New(dictionary())
+    );
     const exactSolution exact
     (
-        rho.value(), mu.value(), runTime.controlDict().get<scalar>("waveSpeed")
+        rho.value(), mu.value(), wallDrag.value(),
+        runTime.controlDict().get<scalar>("waveSpeed")
     );
     prescribedGrains exchange(mesh, exact);
     prescribedGrains& grains = exchange;

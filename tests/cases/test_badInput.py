@@ -246,6 +246,11 @@ TABLE = [
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ viscosity { type Krieger; }"),
         [GRAINS, "viscosity", "Krieger", "Batchelor Einstein KriegerDougherty none"],
     ),
+    (
+        "form",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ form C;"),
+        [GRAINS, "'form'", "value C", "A, B"],
+    ),
     ("gap", swap(FLUID, "rho ", "HeleShaw { gap 0; }\nrho "), [FLUID, "'gap'", "value 0", "> 0"]),
     ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
     (

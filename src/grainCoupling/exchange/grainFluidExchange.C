@@ -25,6 +25,17 @@ Foam::grainFluidExchange::zeroField
 }
 
 
+bool Foam::grainFluidExchange::readForm(const dictionary& dict)
+{
+    const word form(dict.getOrDefault<word>("form", "A"));
+    if (form != "A" && form != "B")
+    {
+        dictionaryInput::badValue(dict, "form", form, "A, B");
+    }
+    return form == "A";
+}
+
+
 Foam::grainFluidExchange::grainFluidExchange
 (
     grainSystem& grains,
@@ -46,6 +57,7 @@ Foam::grainFluidExchange::grainFluidExchange
             )
         )
     ),
+    gradientOnGrains_(readForm(grains.motion().coupling())),
     eps_
     (
         IOobject
@@ -138,11 +150,15 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
             const vector& arm = overlaps.arm[k];
             const vector v(motion.at(arm));
 
+            const scalar eps = max(eps_[celli], epsMin);
             gamma_[k] = drag_->gamma
             (
-                max(eps_[celli], epsMin), mag(U[celli] - v), d,
-                rho_.value(), mu_.value()
+                eps, mag(U[celli] - v), d, rho_.value(), mu_.value()
             );
+            if (!gradientOnGrains_)
+            {
+                gamma_[k] /= eps;
+            }
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
             vo_[k] = v + weight + change.at(arm);
 
@@ -153,7 +169,10 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
             beta_[celli] += wag;
             b_[celli] += wag*vo_[k];
             G_[celli] += wa*vo_[k];
-            K_[celli] += wat;
+            if (gradientOnGrains_)
+            {
+                K_[celli] += wat;
+            }
         }
     }
 

@@ -18,6 +18,7 @@ void Foam::grainFluidExchange::moveGrains
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalar rho = rho_.value();
     const vector& g = grains_.motion().g();
+    const scalar onGrains = gradientOnGrains_;
 
     // For the torque, the fluid's velocity where the overlap is: a grain that
     // straddles two cells would take their difference for a spin
@@ -44,9 +45,9 @@ void Foam::grainFluidExchange::moveGrains
             (
                 overlaps.volume[k]
                *(
-                  - gradP[celli] - rho*g
+                  - onGrains*gradP[celli] - rho*g
                   + gamma_[k]*a_[k]
-                   *(U[celli] - vo_[k] + deltaT/rhop*gradP[celli])
+                   *(U[celli] - vo_[k] + onGrains*deltaT/rhop*gradP[celli])
                 )
             );
             const vector fromCentre
@@ -75,7 +76,7 @@ void Foam::grainFluidExchange::moveGrains
         given_ += deltaT*mesh_.V()[celli]
            *(
               - solid*rho*g
-              + (kappa_[celli] - solid)*gradP[celli]
+              + onGrains*(kappa_[celli] - solid)*gradP[celli]
               + beta_[celli]*U[celli] - b_[celli]
             );
     }

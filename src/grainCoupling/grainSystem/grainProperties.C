@@ -76,7 +76,7 @@ void Foam::grainProperties<D>::check() const
         dictionaryInput::checkKeywords
         (
             coupling(),
-            {"packingRatio", "voidFraction", "drag", "viscosity"}
+            {"packingRatio", "form", "voidFraction", "drag", "viscosity"}
         );
     }
 

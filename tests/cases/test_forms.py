@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Forms A and B of the equations: the same where inertia and stress of the fluid are nothing."""
+
+import numpy as np
+import pytest
+from grain_box import control, cyclic_box, grain_box, lattice, ledger, replace
+from test_flowAndGrains import WALLS
+from test_fluidClosures import channel
+from test_motion import RHO, RHO_GRAIN, G, gamma
+
+GRAINS = "constant/grainProperties"
+FLUID = "constant/transportProperties"
+
+
+def set_form(case, form):
+    replace(case, GRAINS, "\ncoupling\n{", f"\ncoupling\n{{\n    form {form};")
+
+
+def test_a_fixed_bed_is_the_same(clone):
+    """Flow through a bed of heavy grains that fills the channel but for its ends."""
+    d, spacing = 0.004, 0.005
+    p, u = [], []
+    for form in "AB":
+        bed = lattice(14, 20, spacing, (0.0175, 0.0025))
+        case = channel(clone, bed, d / 2, (10, 10), 10.0, sides="slip", name=form)
+        set_form(case, form)
+        replace(case, GRAINS, "density 2500", "density 1e16")
+        control(case, deltaT=1e-2, endTime=3, writeInterval=300)
+        case.run("grainFoam")
+        p.append(case.field("p_rgh").reshape(10, 10))
+        u.append(case.field("U")[:, 0].reshape(10, 10))
+        assert ledger(case)["momentumError"].max() <= 1e-10
+    assert u[0].min() > 1e-5
+    # Pressure over velocity at the middle of the bed: what its ends disturb has decayed to 1e-5
+    resistance = [(x[:, 5] - x[:, 4]) / (y[:, 4] + y[:, 5]) for x, y in zip(p, u, strict=True)]
+    np.testing.assert_allclose(resistance[0], resistance[1], rtol=1e-5)
+    # At the ends, which add to the resistance, form B lacks inertia and stress of the fluid
+    np.testing.assert_allclose(u[0][:, 4:6], u[1][:, 4:6], rtol=1e-3)
+
+
+def test_a_uniform_suspension_settles_at_the_same_speed(clone):
+    """v = (rho_p - rho) g eps^2 / gamma in a closed box."""
+    radius, mu = 0.004, RHO * 1e-1
+    eps = 1 - np.pi * radius**2 / 0.01**2
+    speeds = []
+    for form in "AB":
+        case = grain_box(clone, lattice(10, 10, 0.01, (0.005, 0.005)), radius, name=form)
+        set_form(case, form)
+        replace(case, "0/U", "noSlip", "slip")
+        replace(case, FLUID, "1e-4", str(mu / RHO))
+        control(case, deltaT=1e-4, endTime=0.01, writeInterval=100)
+        case.run("grainFoam")
+        speeds.append(-case.grains()["velocity"][:, 1].reshape(10, 10)[3:7].ravel())
+    speed = (RHO_GRAIN - RHO) * G * eps**2 / gamma(0.0, 2 * radius, mu, eps)
+    np.testing.assert_allclose(speeds[0], speeds[1], rtol=1e-5)
+    # Re^1/2 in the law; the floor is four cells away
+    np.testing.assert_allclose(speeds[0], speed, rtol=1e-3)
+
+
+@pytest.mark.parametrize("form", "AB")
+def test_slip_without_a_pressure_gradient_shows_what_form_b_leaves_out(clone, form):
+    """Fluid that drag accelerates: in form B the slip decays by 1/eps faster."""
+    radius = 0.004
+    phi = np.pi * radius**2 / 0.01**2
+    slip, mu, steps = 1e-11, RHO * 1.0, 20
+    case = cyclic_box(clone, lattice(10, 10, 0.01, (0.005, 0.005)), radius)
+    set_form(case, form)
+    replace(case, FLUID, "1e-4", "1")
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {slip} 0)")
+    rate = gamma(0.0, 2 * radius, mu, 1 - phi) * (1 / RHO_GRAIN + phi / ((1 - phi) * RHO))
+    if form == "B":
+        rate /= 1 - phi
+    delta_t = 0.1 / rate
+    control(case, deltaT=delta_t, endTime=delta_t * (steps + 0.5), timePrecision=12)
+    control(case, writeInterval=steps)
+    case.run("grainFoam")
+
+    difference = case.field("U")[:, 1].mean() - case.grains()["velocity"][:, 1].mean()
+    assert difference == pytest.approx(slip * (1 + rate * delta_t) ** -steps, rel=1e-6)
+    assert ledger(case)["momentumError"].max() <= 1e-10

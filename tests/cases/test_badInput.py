@@ -251,6 +251,16 @@ TABLE = [
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ form C;"),
         [GRAINS, "'form'", "value C", "A, B"],
     ),
+    (
+        "addedMass",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ addedMass -1;"),
+        [GRAINS, "'addedMass'", "value -1", ">= 0"],
+    ),
+    (
+        "lift",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ lift { one { type Saffman; } }"),
+        [GRAINS, "Saffman", "Magnus SaffmanMei"],
+    ),
     ("gap", swap(FLUID, "rho ", "HeleShaw { gap 0; }\nrho "), [FLUID, "'gap'", "value 0", "> 0"]),
     ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
     (

@@ -57,6 +57,14 @@ Foam::grainFluidExchange::grainFluidExchange
             )
         )
     ),
+    addedMass_
+    (
+        dictionaryInput::getScalarOrDefault
+        (
+            grains.motion().coupling(), "addedMass", dimless, 0, 0
+        )
+    ),
+    lift_(liftLaw::all(grains.motion().coupling())),
     gradientOnGrains_(readForm(grains.motion().coupling())),
     eps_
     (
@@ -116,6 +124,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
     gamma_.resize(overlaps.size());
     a_.resize(overlaps.size());
     vo_.resize(overlaps.size());
+    setKnownForce(U);
 
     kappa_ = dimensionedScalar(kappa_.dimensions(), Zero);
     beta_ = dimensionedScalar(beta_.dimensions(), Zero);
@@ -159,15 +168,16 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
             {
                 gamma_[k] /= eps;
             }
+            gamma_[k] += dragOfAddedMass();
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
-            vo_[k] = v + weight + change.at(arm);
+            vo_[k] = v + weight + change.at(arm) + deltaT/rhop*e_[k];
 
             const scalar wa = overlaps.volume[k]/V[celli]*a_[k];
             const scalar wag = wa*gamma_[k];
             const scalar wat = wa*deltaT/rhop;
             kappa_[celli] += wat*gamma_[k];
             beta_[celli] += wag;
-            b_[celli] += wag*vo_[k];
+            b_[celli] += wag*vo_[k] - overlaps.volume[k]/V[celli]*e_[k];
             G_[celli] += wa*vo_[k];
             if (gradientOnGrains_)
             {

@@ -48,6 +48,7 @@ void Foam::grainFluidExchange::moveGrains
                   - onGrains*gradP[celli] - rho*g
                   + gamma_[k]*a_[k]
                    *(U[celli] - vo_[k] + onGrains*deltaT/rhop*gradP[celli])
+                  + e_[k]
                 )
             );
             const vector fromCentre
@@ -56,7 +57,8 @@ void Foam::grainFluidExchange::moveGrains
             );
             const vector shear
             (
-                overlaps.volume[k]*gamma_[k]*a_[k]*(fromCentre & gradU[celli])
+                overlaps.volume[k]*(gamma_[k] - dragOfAddedMass())*a_[k]
+               *(fromCentre & gradU[celli])
             );
             force[graini] += f;
             torque[graini] += overlaps.arm[k] ^ (f + shear);

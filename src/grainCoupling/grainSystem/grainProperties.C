@@ -76,7 +76,10 @@ void Foam::grainProperties<D>::check() const
         dictionaryInput::checkKeywords
         (
             coupling(),
-            {"packingRatio", "form", "voidFraction", "drag", "viscosity"}
+            {
+                "packingRatio", "form", "voidFraction", "drag", "viscosity",
+                "addedMass", "lift"
+            }
         );
     }
 

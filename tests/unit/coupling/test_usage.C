@@ -11,6 +11,7 @@
 #include "grainHeat.H"
 #include "grainMaterials.H"
 #include "HeleShaw.H"
+#include "liftLaw.H"
 #include "planarCells.H"
 #include "sizeDistribution.H"
 #include "voidFractionMethod.H"
@@ -119,6 +120,10 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
         EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag")));
     }
 
+    for (const char* name : {"Magnus", "SaffmanMei"})
+    {
+        EXPECT_EQ(liftLaw::all(example(name)).size(), 1);
+    }
     for (const char* name : {"Batchelor", "Einstein", "KriegerDougherty", "noEffectiveViscosity"})
     {
         EXPECT_NO_THROW(effectiveViscosity::New(example(name)));

@@ -1,0 +1,39 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liftLaw.H"
+
+#include "dictionaryInput.H"
+#include "selected.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(liftLaw, 0);
+    defineRunTimeSelectionTable(liftLaw, dictionary);
+}
+
+
+Foam::autoPtr<Foam::liftLaw> Foam::liftLaw::New(const dictionary& dict)
+{
+    return dictionaryInput::selected
+    (
+        *dictionaryConstructorTablePtr_, dict, "lift law"
+    )(dict);
+}
+
+
+Foam::PtrList<Foam::liftLaw> Foam::liftLaw::all(const dictionary& coupling)
+{
+    PtrList<liftLaw> laws;
+    if (coupling.found("lift"))
+    {
+        const dictionary& dict = dictionaryInput::subDict(coupling, "lift");
+        for (const word& name : dict.toc())
+        {
+            laws.append(New(dictionaryInput::subDict(dict, name)));
+        }
+    }
+    return laws;
+}

@@ -102,22 +102,42 @@ void Foam::grainFluidExchange::setEps()
     {
         solid[overlaps.cell[k]] += overlaps.volume[k];
     }
+    solid /= mesh_.V().field();
+    grains_.voidFraction().smooth(solid);
 
     overfull_ = 0;
     forAll(solid, celli)
     {
-        const scalar room = mesh_.V()[celli] - solid[celli];
-        eps_[celli] = max(room, scalar(0))/mesh_.V()[celli];
-        overfull_ += max(-room, scalar(0));
+        const scalar room = 1 - solid[celli];
+        eps_[celli] = max(room, scalar(0));
+        overfull_ += max(-room, scalar(0))*mesh_.V()[celli];
     }
     reduce(overfull_, sumOp<scalar>());
     eps_.correctBoundaryConditions();
 }
 
 
-void Foam::grainFluidExchange::predict(const volVectorField& U)
+Foam::tmp<Foam::volVectorField> Foam::grainFluidExchange::seenByGrains
+(
+    const volVectorField& x
+) const
+{
+    if (!grains_.voidFraction().smooths())
+    {
+        return tmp<volVectorField>(x);
+    }
+    tmp<volVectorField> result(new volVectorField(x.name() + "Seen", x));
+    grains_.voidFraction().smooth(result.ref().primitiveFieldRef());
+    result.ref().correctBoundaryConditions();
+    return result;
+}
+
+
+void Foam::grainFluidExchange::predict(const volVectorField& cellU)
 {
     const stopwatch::lap lap(time_);
+    const tmp<volVectorField> tU(seenByGrains(cellU));
+    const volVectorField& U = tU();
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
 
@@ -185,6 +205,13 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
             }
         }
     }
+
+    const voidFractionMethod& method = grains_.voidFraction();
+    method.smooth(kappa_.primitiveFieldRef());
+    method.smooth(beta_.primitiveFieldRef());
+    method.smooth(b_.primitiveFieldRef());
+    method.smooth(G_.primitiveFieldRef());
+    method.smooth(K_.primitiveFieldRef());
 
     kappa_.correctBoundaryConditions();
     beta_.correctBoundaryConditions();

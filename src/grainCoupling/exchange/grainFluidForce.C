@@ -9,11 +9,15 @@
 
 void Foam::grainFluidExchange::moveGrains
 (
-    const volVectorField& U,
-    const volVectorField& gradP
+    const volVectorField& cellU,
+    const volVectorField& cellGradP
 )
 {
     const stopwatch::lap lap(time_);
+    const tmp<volVectorField> tU(seenByGrains(cellU));
+    const tmp<volVectorField> tGradP(seenByGrains(cellGradP));
+    const volVectorField& U = tU();
+    const volVectorField& gradP = tGradP();
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalar rho = rho_.value();
@@ -78,8 +82,8 @@ void Foam::grainFluidExchange::moveGrains
         given_ += deltaT*mesh_.V()[celli]
            *(
               - solid*rho*g
-              + onGrains*(kappa_[celli] - solid)*gradP[celli]
-              + beta_[celli]*U[celli] - b_[celli]
+              + onGrains*(kappa_[celli] - solid)*cellGradP[celli]
+              + beta_[celli]*cellU[celli] - b_[celli]
             );
     }
     reduce(given_, sumOp<vector>());

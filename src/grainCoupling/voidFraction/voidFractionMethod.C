@@ -27,6 +27,24 @@ Foam::autoPtr<Foam::voidFractionMethod> Foam::voidFractionMethod::New
 }
 
 
+void Foam::voidFractionMethod::smooth(vectorField& x) const
+{
+    if (!smooths())
+    {
+        return;
+    }
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        if (cells_.mesh().solutionD()[d] == 1)
+        {
+            scalarField component(x.component(d));
+            smooth(component);
+            x.replace(d, component);
+        }
+    }
+}
+
+
 void Foam::voidFractionMethod::appendPoint
 (
     const point& x,

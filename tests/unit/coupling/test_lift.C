@@ -35,7 +35,7 @@ TEST(SaffmanMei, HasSaffmansForceInCreepingFlow)
     const scalar w = 1e-9, G = 1e-4;
     const vector f(lift("SaffmanMei", {w, 0, 0}, {0, 0, -G}, Zero));
     // Mei's correction at Re = 1e-6 is 1 - 0.1 Re (1 - 0.3314 beta^1/2), beta = 50
-    const scalar saffman = 1.615*sqrt(rho*mu*G)*sqr(d)*w;
+    const scalar saffman = 1.615*std::sqrt(rho*mu*G)*sqr(d)*w;
     EXPECT_NEAR(f.y()/saffman, 1, 1e-6);
     EXPECT_EQ(f.x(), 0);
     EXPECT_EQ(f.z(), 0);

@@ -138,7 +138,7 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     const planarMesh plane(planar.mesh());
     const planarCells cells(plane);
     for (const char* name :
-        {"centroid", "exactOverlap", "gaussianKernel", "satellitePoints"})
+        {"centroid", "diffused", "exactOverlap", "gaussianKernel", "satellitePoints"})
     {
         EXPECT_NO_THROW(voidFractionMethod::New(example(name).subDict("voidFraction"), cells));
     }

@@ -89,7 +89,7 @@ int main(int argc, char *argv[])
 
         #include "UEqn.H"
 
-        volVectorField gradP("gradP", pressureForce/alpha);
+        volVectorField gradP("gradP", pressureForce/share);
 
         while (piso.correct())
         {

@@ -99,3 +99,15 @@ def test_a_pile_at_rest_stays_at_rest_while_steps_grow(clone):
     # The contact solver's tolerance is 1e-7 m per step
     assert np.all(ledger(case)["maxVelocity"][settled] * length[settled] <= 2e-7)
     assert np.abs(case.grains()["position"] - pile).max() <= 1e-5
+
+
+@pytest.mark.parallel
+def test_ranks_take_the_same_steps(clone):
+    one, many = (grain_box(clone, PILE, RADIUS, name=name) for name in ("one", "many"))
+    for case in (one, many):
+        adjusting(case, end=0.06)
+    one.run("grainFoam")
+    many.run("decomposePar")
+    many.parallel("grainFoam", 2)
+    # What the linear solvers leave of the fluxes and the contact solver of the grains' speeds
+    np.testing.assert_allclose(steps(many), steps(one), rtol=1e-5)

@@ -7,7 +7,14 @@ import subprocess
 
 import numpy as np
 import pytest
-from grain_box import assert_same_grains, control, grain_box, lattice, run_whole_and_parts
+from grain_box import (
+    assert_same_grains,
+    control,
+    grain_box,
+    lattice,
+    replace,
+    run_whole_and_parts,
+)
 
 RADIUS = 0.004
 CASES = {
@@ -44,6 +51,27 @@ def test_stop_and_restart(clone, grains):
     assert "Grains continue from" in parts.log
     if grains == "pile":
         assert whole.logged("Contacts  ").min() >= 30
+    assert_same(whole, parts)
+    assert track_lines(whole) == track_lines(parts)
+
+
+CLOSURES = """
+    form B;
+    addedMass 1;
+    lift { shear { type SaffmanMei; } spin { type Magnus; } }
+    viscosity { type KriegerDougherty; maxFraction 0.9; }
+"""
+
+
+def test_stop_and_restart_with_every_closure(clone):
+    whole, parts = (grain_box(clone, CASES["few"], RADIUS, name=name) for name in ("a", "b"))
+    for case in (whole, parts):
+        grains = "constant/grainProperties"
+        replace(case, grains, "\ncoupling\n{", f"\ncoupling\n{{{CLOSURES}")
+        replace(case, grains, "type    exactOverlap;", "type diffused; length 0.01;")
+        replace(case, "constant/transportProperties", "rho ", "HeleShaw { gap 0.1; }\nrho ")
+        control(case, endTime=0.08, writeInterval=40)
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
     assert_same(whole, parts)
     assert track_lines(whole) == track_lines(parts)
 

@@ -11,7 +11,7 @@ Description
     known (exactSolution.H).  Prints the relative errors of U and p.
 
     The speed of the wave of the fluid fraction is 'waveSpeed' in
-    system/controlDict.
+    system/controlDict, the form of the equations 'form', A or B.
 
 \*---------------------------------------------------------------------------*/
 
@@ -48,7 +48,8 @@ int main(int argc, char *argv[])
     const exactSolution exact
     (
         rho.value(), mu.value(), wallDrag.value(),
-        runTime.controlDict().get<scalar>("waveSpeed")
+        runTime.controlDict().get<scalar>("waveSpeed"),
+        runTime.controlDict().get<word>("form") == "A"
     );
     prescribedGrains exchange(mesh, exact);
     prescribedGrains& grains = exchange;

@@ -10,12 +10,16 @@ import numpy as np
 from grainresults import Results
 
 CELLS = [16, 32, 64]
-SPEEDS = {0: "steady eps", 1: "travelling eps"}
+VARIANTS = {
+    "A_0": "form A, steady eps",
+    "A_1": "form A, travelling eps",
+    "B_1": "form B, travelling eps",
+}
 
 
-def errors(speed):
+def errors(variant):
     """Relative errors of U and p, (meshes, 2)."""
-    logs = (Path(f"speed{speed}_{n}/log.manufacturedVANS").read_text() for n in CELLS)
+    logs = (Path(f"{variant}_{n}/log.manufacturedVANS").read_text() for n in CELLS)
     return np.array(
         [re.search(r"Error of U (\S+), of p (\S+)", log).groups() for log in logs], dtype=float
     )
@@ -25,8 +29,8 @@ def main():
     results = Results()
     figure, ax = plt.subplots(figsize=(6, 4.5), layout="constrained")
     h = 1 / np.array(CELLS)
-    for speed, title in SPEEDS.items():
-        error = errors(speed)
+    for variant, title in VARIANTS.items():
+        error = errors(variant)
         order = np.log2(error[:-1] / error[1:])
         results.add(f"{title}: error of u, {CELLS[-1]} cells", error[-1, 0])
         results.add(f"{title}: order of u", order[:, 0].min(), "-", 1.8, ">=", "second order")

@@ -164,21 +164,44 @@ def test_stop_and_restart(clone, mesh):
     assert (whole.path / whole.times[-1] / "lagrangian/grains/positions").exists()
 
 
-def test_a_sphere_settles_at_the_speed_of_the_drag_law(clone):
-    """In cells of four diameters what is put in comes out: Dallavalle's 0.02990 m/s."""
+def settling_sphere(clone, cells, n, end, deltaT, name=None):
+    """A sphere whose terminal speed is 0.02990 m/s by Dallavalle's law, cells per diameter."""
     d, rho, rho_grain, nu = 2.663e-3, 996.78, 1029.0, 8.379e-7
-    side = 40 * d
-    case = sphere_box(clone, [(0.52 * side, 0.53 * side, 0.94 * side)], d / 2, side=side)
+    side = n * d / cells
+    start = [(0.52 * side, 0.53 * side, 0.94 * side)]
+    case = sphere_box(clone, start, d / 2, side=side, n=n, name=name)
     replace(case, "constant/transportProperties", "0] 1000", f"0] {rho}")
     replace(case, "constant/transportProperties", "1e-4", str(nu))
     replace(case, GRAINS, "density 2500", f"density {rho_grain}")
-    control(case, deltaT=1e-2, endTime=2, writeInterval=200)
+    control(case, deltaT=deltaT, endTime=end, writeInterval=round(end / deltaT))
+    return case
+
+
+def test_a_sphere_settles_at_the_speed_of_the_drag_law(clone):
+    """In cells of four diameters what is put in comes out."""
+    case = settling_sphere(clone, 0.25, 10, 2, 1e-2)
     case.run("grainFoam")
     path = tracks(case)
     speed = -path[path[:, 0] > 1, 7]
     # The sphere is 0.8 % of its cell, whose fluid it drags along
     assert speed.mean() == pytest.approx(0.02990, rel=0.02)
     assert np.ptp(speed) <= 0.02 * speed.mean()
+
+
+def test_a_sphere_as_large_as_a_cell_is_given_the_undisturbed_flow(clone):
+    """Of its own cell it would have the fluid fraction of a suspension, and settle too slowly."""
+    speed = {}
+    for kind in ("none", "filtered"):
+        case = settling_sphere(clone, 1, 14, 0.7, 5e-3, name=kind)
+        replace(
+            case, GRAINS, "coupling\n{", f"coupling\n{{\n    undisturbedFlow {{ type {kind}; }}"
+        )
+        case.run("grainFoam")
+        path = tracks(case)
+        speed[kind] = -path[path[:, 0] > 0.4, 7].mean()
+    # Some 5 % are left, and the speed varies by 2 % as the sphere passes cells
+    assert speed["filtered"] == pytest.approx(0.02990, rel=0.1)
+    assert speed["none"] < 0.93 * speed["filtered"]
 
 
 @pytest.mark.parametrize("n, low, high", [(4, 0, 0.5), (16, 0.4, 0.5)])

@@ -66,6 +66,7 @@ Foam::grainFluidExchange::grainFluidExchange
     ),
     lift_(liftLaw::all(grains.motion().coupling())),
     gradientOnGrains_(readForm(grains.motion().coupling())),
+    undisturbed_(grains, gradientOnGrains_),
     eps_
     (
         IOobject
@@ -145,6 +146,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     a_.resize(overlaps.size());
     vo_.resize(overlaps.size());
     setKnownForce(U);
+    undisturbed_.set(grains_, eps_, U, *drag_, rho_.value(), mu_.value());
 
     kappa_ = dimensionedScalar(kappa_.dimensions(), Zero);
     beta_ = dimensionedScalar(beta_.dimensions(), Zero);
@@ -188,6 +190,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
             {
                 gamma_[k] /= eps;
             }
+            gamma_[k] = undisturbed_.corrected(gamma_[k], graini);
             gamma_[k] += dragOfAddedMass();
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
             vo_[k] = v + weight + change.at(arm) + deltaT/rhop*e_[k];

@@ -89,6 +89,7 @@ void Foam::grainFluidExchange::moveGrains
     reduce(given_, sumOp<vector>());
     received_ = deltaT*sum(force);
 
+    undisturbed_.keep(cellGradP);
     grains_.move(force, torque, deltaT);
     setEps();
 }

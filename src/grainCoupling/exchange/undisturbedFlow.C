@@ -1,0 +1,273 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "undisturbedFlow.H"
+
+#include "dictionaryInput.H"
+#include "fvm.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+// Of a mesh of discs the square root of the area
+tmp<scalarField> sizes(const fvMesh& mesh)
+{
+    if (mesh.nGeometricD() == 3)
+    {
+        return cbrt(mesh.V().field());
+    }
+    scalar depth = 1;
+    for (direction i = 0; i < vector::nComponents; ++i)
+    {
+        if (mesh.geometricD()[i] < 0)
+        {
+            depth *= mesh.bounds().span()[i];
+        }
+    }
+    return sqrt(mesh.V().field()/depth);
+}
+
+}
+
+
+Foam::scalar Foam::undisturbedFlow::readWidth(const dictionary& coupling)
+{
+    constexpr scalar defaultWidth = 4;
+
+    if (!coupling.found("undisturbedFlow"))
+    {
+        return defaultWidth;
+    }
+    const dictionary dict
+    (
+        dictionaryInput::subDict(coupling, "undisturbedFlow")
+    );
+    dictionaryInput::checkKeywords(dict, {"type", "width"});
+
+    const word type(dict.get<word>("type"));
+    if (type == "none")
+    {
+        return 0;
+    }
+    if (type != "filtered")
+    {
+        dictionaryInput::badValue(dict, "type", type, "filtered, none");
+    }
+    return dictionaryInput::getScalarOrDefault
+    (
+        dict, "width", dimless, defaultWidth, 1, 20
+    );
+}
+
+
+Foam::undisturbedFlow::undisturbedFlow
+(
+    const grainSystem& grains,
+    const bool gradientOnGrains
+)
+:
+    mesh_(grains.mesh()),
+    width_
+    (
+        grains.voidFraction().smooths()
+      ? 0 : readWidth(grains.motion().coupling())
+    ),
+    gradientOnGrains_(gradientOnGrains),
+    cellSize_(sizes(mesh_)),
+    isActive_(false),
+    gradP_
+    (
+        IOobject
+        (
+            "gradP_rgh",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            width_ > 0 ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+        ),
+        mesh_,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    )
+{}
+
+
+Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
+{
+    const scalar x = std::log2(diameterByCellSize);
+    return min(max(min(2*(x + 1), (2 - x)/1.5), scalar(0)), scalar(1));
+}
+
+
+template<class Type>
+Foam::Field<Type> Foam::undisturbedFlow::filtered
+(
+    const word& name,
+    const Field<Type>& x,
+    const scalar length
+) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> volField;
+
+    const dictionary solver
+    (
+        IStringStream
+        (
+            "solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0;"
+        )()
+    );
+    const dimensionedScalar one("one", dimless, 1);
+    const dimensionedScalar diffusivity
+    (
+        "diffusivity", dimArea, sqr(length)/24
+    );
+
+    volField mean
+    (
+        IOobject(name, mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensioned<Type>(dimless, Zero),
+        zeroGradientFvPatchField<Type>::typeName
+    );
+    mean.primitiveFieldRef() = x;
+    mean.correctBoundaryConditions();
+    const volField source("source", mean);
+
+    fvMatrix<Type> equation
+    (
+        fvm::Sp(one, mean)
+      - fvm::laplacian(diffusivity, mean, "laplacian(undisturbedFlow)")
+     ==
+        source
+    );
+    equation.solve(solver);
+    return mean.primitiveField();
+}
+
+
+void Foam::undisturbedFlow::set
+(
+    const grainSystem& grains,
+    const volScalarField& eps,
+    const volVectorField& U,
+    const dragLaw& law,
+    const scalar rho,
+    const scalar mu
+)
+{
+    scalar smallest = GREAT, largest = 0, sum = 0;
+    for (label i = 0; i < grains.size(); ++i)
+    {
+        const scalar d = grains.fluidDiameter(i);
+        smallest = min(smallest, d);
+        largest = max(largest, d);
+        sum += d;
+    }
+    isActive_ =
+        width_ > 0
+     && largest > 0.5*gMin(cellSize_) && smallest < 4*gMax(cellSize_);
+
+    if (!isActive_)
+    {
+        return;
+    }
+
+    const scalar length = width_*sum/grains.size();
+    const scalarField& cellEps = eps.primitiveField();
+    const vectorField& cellU = U.primitiveField();
+    const vectorField& cellGradP = gradP_.primitiveField();
+
+    const scalarField meanEps(filtered("epsUndisturbed", cellEps, length));
+    const vectorField meanU
+    (
+        filtered<vector>("UUndisturbed", cellEps*cellU, length)
+       /max(meanEps, SMALL)
+    );
+    vectorField excess(cellU.size(), Zero);
+    if (gradientOnGrains_)
+    {
+        excess = filtered("gradPUndisturbed", cellGradP, length) - cellGradP;
+    }
+
+    const overlapList& overlaps = grains.overlaps();
+    share_.resize(grains.size());
+    coefficient_.resize(grains.size());
+
+    // Over each grain: of 1, the cell's size, the undisturbed fluid fraction;
+    // of the velocity, the undisturbed one, and the excess
+    vectorField scalars(grains.size(), Zero);
+    tensorField flows(grains.size(), Zero);
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for
+        (
+            label k = overlaps.start[graini];
+            k < overlaps.start[graini + 1];
+            ++k
+        )
+        {
+            const label celli = overlaps.cell[k];
+            scalars[graini] +=
+                overlaps.volume[k]
+               *vector(1, cellSize_[celli], meanEps[celli]);
+            flows[graini] +=
+                overlaps.volume[k]
+               *tensor(cellU[celli], meanU[celli], excess[celli]);
+        }
+    }
+    Pstream::listCombineGather(scalars, plusEqOp<vector>());
+    Pstream::listCombineScatter(scalars);
+    Pstream::listCombineGather(flows, plusEqOp<tensor>());
+    Pstream::listCombineScatter(flows);
+
+    forAll(share_, graini)
+    {
+        const scalar volume = max(scalars[graini].x(), VSMALL);
+        const vector mean(scalars[graini]/volume);
+        const tensor flow(flows[graini]/volume);
+        const scalar d = grains.fluidDiameter(graini);
+
+        share_[graini] = weight(d/max(mean.y(), VSMALL));
+        if (share_[graini] <= 0)
+        {
+            continue;
+        }
+
+        // Of a grain that moves with the fluid, the law's own coefficient
+        // remains
+        const vector v(grains.motion().velocity(graini));
+        const vector w(flow.x() - v);
+        const scalar least = 1e-4*mu/(rho*d);
+        const scalar slip = mag(w) + least;
+        const scalar undisturbedSlip = mag(flow.y() - v) + least;
+        scalar drag =
+            undisturbedSlip*law.gamma(mean.z(), undisturbedSlip, d, rho, mu);
+        if (gradientOnGrains_)
+        {
+            drag = max(drag - (flow.z() & w)/slip, 0.05*drag);
+        }
+        else
+        {
+            drag /= mean.z();
+        }
+        coefficient_[graini] = drag/slip;
+    }
+}
+
+
+Foam::scalar Foam::undisturbedFlow::corrected
+(
+    const scalar gamma,
+    const label graini
+) const
+{
+    const scalar share = isActive_ ? share_[graini] : 0;
+    return
+        share <= 0
+      ? gamma
+      : std::pow(coefficient_[graini], share)*std::pow(gamma, 1 - share);
+}

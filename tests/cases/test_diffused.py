@@ -55,6 +55,7 @@ def test_of_spheres_too(clone):
 def test_a_short_length_is_the_exact_overlap(clone):
     """What spreads in a step is (b/2h)^2, 2.5e-9 of a cell's content."""
     exact = falling(clone, None, name="exact")
+    replace(exact, GRAINS, "coupling\n{", "coupling\n{\n    undisturbedFlow { type none; }")
     short = falling(clone, 1e-6, name="short")
     for case in (exact, short):
         control(case, endTime=0.02, writeInterval=10)

@@ -241,11 +241,13 @@ void Foam::undisturbedFlow::set
         // remains
         const vector v(grains.motion().velocity(graini));
         const vector w(flow.x() - v);
-        const scalar least = 1e-4*mu/(rho*d);
+        const scalar least = 1e-8*mu/(rho*d);
         const scalar slip = mag(w) + least;
-        const scalar undisturbedSlip = mag(flow.y() - v) + least;
+        const scalar undisturbedSlip = mag(flow.y() - v);
+
         scalar drag =
-            undisturbedSlip*law.gamma(mean.z(), undisturbedSlip, d, rho, mu);
+            (undisturbedSlip + least)
+           *law.gamma(mean.z(), undisturbedSlip, d, rho, mu);
         if (gradientOnGrains_)
         {
             drag = max(drag - (flow.z() & w)/slip, 0.05*drag);

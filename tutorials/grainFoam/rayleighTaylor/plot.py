@@ -76,8 +76,8 @@ def main():
         discs = draw(place, state, height)
         place.set_title(f"t = {time} s")
     figure.colorbar(discs, ax=axes, label="height at t = 0 [mm]", shrink=0.6)
-    figure.savefig("results.png", dpi=100)
-    figure.savefig("snapshots/all.png", dpi=160)
+    figure.savefig("results.png", dpi=60)
+    figure.savefig("snapshots/all.png", dpi=130)
 
     books = ledger()
     clock = books["elapsedTime"][-1] - books["elapsedTime"][0]

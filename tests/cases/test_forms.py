@@ -48,7 +48,7 @@ def test_a_uniform_suspension_settles_at_the_same_speed(clone):
         case = grain_box(clone, lattice(10, 10, 0.01, (0.005, 0.005)), radius, name=form)
         # The filters of the undisturbed flow would reach the floor and the lid
         set_form(case, form)
-        replace(case, GRAINS, "    form", "    undisturbedFlow { type none; }\n    form")
+        replace(case, GRAINS, "    form ", "    undisturbedFlow { type none; }\n    form ")
         replace(case, "0/U", "noSlip", "slip")
         replace(case, FLUID, "1e-4", str(mu / RHO))
         control(case, deltaT=1e-4, endTime=0.01, writeInterval=100)

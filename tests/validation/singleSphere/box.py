@@ -16,8 +16,9 @@ n = round(width / cell)
 # Six diameters below the sphere at the end, three above it at the start
 height = SPEED * time + 9 * D
 m = max(-int(-height // cell), 4)
-# A third of a cell per step at the final speed, and what the coarsest mesh needs
-delta_t = time / max(round(time * SPEED / (cell / 3)), 80)
+# A third of a cell per step at the final speed, and not more than 2 ms: the time scheme adds a
+# viscosity of half the speed squared times the step, at 2 ms as much as that of water
+delta_t = time / max(round(time * SPEED / (cell / 3)), round(time / 2e-3))
 # Neither in the middle of a cell nor on a face
 x, y, z = 0.5 * n * cell + 0.13 * cell, 0.5 * n * cell + 0.31 * cell, m * cell - 3 * D
 

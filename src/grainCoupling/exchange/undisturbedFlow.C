@@ -6,8 +6,7 @@
 #include "undisturbedFlow.H"
 
 #include "dictionaryInput.H"
-#include "fvm.H"
-#include "zeroGradientFvPatchFields.H"
+#include "implicitDiffusion.H"
 
 namespace
 {
@@ -79,6 +78,7 @@ Foam::undisturbedFlow::undisturbedFlow
     ),
     gradientOnGrains_(gradientOnGrains),
     cellSize_(sizes(mesh_)),
+    cellSizeRange_(gMin(cellSize_), gMax(cellSize_)),
     isActive_(false),
     gradP_
     (
@@ -103,52 +103,6 @@ Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
 }
 
 
-template<class Type>
-Foam::Field<Type> Foam::undisturbedFlow::filtered
-(
-    const word& name,
-    const Field<Type>& x,
-    const scalar length
-) const
-{
-    typedef GeometricField<Type, fvPatchField, volMesh> volField;
-
-    const dictionary solver
-    (
-        IStringStream
-        (
-            "solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0;"
-        )()
-    );
-    const dimensionedScalar one("one", dimless, 1);
-    const dimensionedScalar diffusivity
-    (
-        "diffusivity", dimArea, sqr(length)/24
-    );
-
-    volField mean
-    (
-        IOobject(name, mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensioned<Type>(dimless, Zero),
-        zeroGradientFvPatchField<Type>::typeName
-    );
-    mean.primitiveFieldRef() = x;
-    mean.correctBoundaryConditions();
-    const volField source("source", mean);
-
-    fvMatrix<Type> equation
-    (
-        fvm::Sp(one, mean)
-      - fvm::laplacian(diffusivity, mean, "laplacian(undisturbedFlow)")
-     ==
-        source
-    );
-    equation.solve(solver);
-    return mean.primitiveField();
-}
-
-
 void Foam::undisturbedFlow::set
 (
     const grainSystem& grains,
@@ -159,6 +113,12 @@ void Foam::undisturbedFlow::set
     const scalar mu
 )
 {
+    isActive_ = false;
+    if (width_ <= 0)
+    {
+        return;
+    }
+
     scalar smallest = GREAT, largest = 0, sum = 0;
     for (label i = 0; i < grains.size(); ++i)
     {
@@ -168,29 +128,33 @@ void Foam::undisturbedFlow::set
         sum += d;
     }
     isActive_ =
-        width_ > 0
-     && largest > 0.5*gMin(cellSize_) && smallest < 4*gMax(cellSize_);
+        largest > 0.5*cellSizeRange_.first()
+     && smallest < 4*cellSizeRange_.second();
 
     if (!isActive_)
     {
         return;
     }
 
-    const scalar length = width_*sum/grains.size();
+    const scalar spread = sqr(width_*sum/grains.size())/24;
+    const auto filtered = [&](const auto& x)
+    {
+        return implicitDiffusion(mesh_, x, spread, 1, 1e-9);
+    };
     const scalarField& cellEps = eps.primitiveField();
     const vectorField& cellU = U.primitiveField();
     const vectorField& cellGradP = gradP_.primitiveField();
 
-    const scalarField meanEps(filtered("epsUndisturbed", cellEps, length));
+    const scalarField meanEps(filtered(cellEps));
     const vectorField meanU
     (
-        filtered<vector>("UUndisturbed", cellEps*cellU, length)
+        filtered(vectorField(cellEps*cellU))
        /max(meanEps, SMALL)
     );
     vectorField excess(cellU.size(), Zero);
     if (gradientOnGrains_)
     {
-        excess = filtered("gradPUndisturbed", cellGradP, length) - cellGradP;
+        excess = filtered(cellGradP) - cellGradP;
     }
 
     const overlapList& overlaps = grains.overlaps();

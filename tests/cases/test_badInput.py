@@ -257,6 +257,16 @@ TABLE = [
         [GRAINS, "'addedMass'", "value -1", ">= 0"],
     ),
     (
+        "resolvedGrains",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type forced; }"),
+        [GRAINS, "'type'", "value forced", "locked, none"],
+    ),
+    (
+        "resolvedFrom",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type locked; from 1; }"),
+        [GRAINS, "'from'", "value 1", "2"],
+    ),
+    (
         "lift",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ lift { one { type Saffman; } }"),
         [GRAINS, "Saffman", "Magnus SaffmanMei"],

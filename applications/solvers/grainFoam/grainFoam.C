@@ -73,7 +73,7 @@ int main(int argc, char *argv[])
 
         ledger.checkFinite(U, p_rgh);
 
-        exchange.moveGrains(U, gradP);
+        exchange.moveGrains(U, gradP, muf);
 
         ledger.endStep(phi, phiU);
         grains.checkLost();

@@ -67,6 +67,7 @@ Foam::grainFluidExchange::grainFluidExchange
     lift_(liftLaw::all(grains.motion().coupling())),
     gradientOnGrains_(readForm(grains.motion().coupling())),
     undisturbed_(grains, gradientOnGrains_),
+    resolved_(grains),
     eps_
     (
         IOobject
@@ -81,6 +82,7 @@ Foam::grainFluidExchange::grainFluidExchange
         dimensionedScalar("eps", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
+    fluidShare_("fluidShare", eps_),
     overfull_(0),
     kappa_(zeroField<scalar>("kappa", dimless)),
     beta_(zeroField<scalar>("beta", dimDensity/dimTime)),
@@ -145,8 +147,10 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     gamma_.resize(overlaps.size());
     a_.resize(overlaps.size());
     vo_.resize(overlaps.size());
+    resolved_.update();
+    setFluidShare();
     setKnownForce(U);
-    undisturbed_.set(grains_, eps_, U, *drag_, rho_.value(), mu_.value());
+    undisturbed_.set(grains_, resolved_, eps_, U, *drag_, rho_.value(), mu_.value());
 
     kappa_ = dimensionedScalar(kappa_.dimensions(), Zero);
     beta_ = dimensionedScalar(beta_.dimensions(), Zero);
@@ -157,18 +161,18 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     const scalarField& V = mesh_.V();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        if (overlaps.start[graini] == overlaps.start[graini + 1])
+        if
+        (
+            overlaps.start[graini] == overlaps.start[graini + 1]
+         || resolved_.isResolved(graini)
+        )
         {
             continue;
         }
         const scalar rhop = grains_.motion().density(graini);
         const scalar d = grains_.fluidDiameter(graini);
-        const vector weight((1 - rho_.value()/rhop)*deltaT*grains_.motion().g());
         const grainMotion::twist motion(grains_.motion().motion(graini));
-        const grainMotion::twist change
-        (
-            grains_.motion().contactChange(graini, deltaT)
-        );
+        const grainMotion::twist freeMotion(this->freeMotion(graini));
 
         for
         (
@@ -193,14 +197,15 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
             gamma_[k] = undisturbed_.corrected(gamma_[k], graini);
             gamma_[k] += dragOfAddedMass();
             a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
-            vo_[k] = v + weight + change.at(arm) + deltaT/rhop*e_[k];
+            vo_[k] = freeMotion.at(arm) + deltaT/rhop*e_[k];
 
-            const scalar wa = overlaps.volume[k]/V[celli]*a_[k];
+            const scalar w = overlaps.volume[k]/V[celli];
+            const scalar wa = w*a_[k];
             const scalar wag = wa*gamma_[k];
             const scalar wat = wa*deltaT/rhop;
             kappa_[celli] += wat*gamma_[k];
             beta_[celli] += wag;
-            b_[celli] += wag*vo_[k] - overlaps.volume[k]/V[celli]*e_[k];
+            b_[celli] += wag*vo_[k] - w*e_[k];
             G_[celli] += wa*vo_[k];
             if (gradientOnGrains_)
             {
@@ -208,6 +213,8 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
             }
         }
     }
+
+    addLocked();
 
     const voidFractionMethod& method = grains_.voidFraction();
     method.smooth(kappa_.primitiveFieldRef());

@@ -10,7 +10,8 @@
 void Foam::grainFluidExchange::moveGrains
 (
     const volVectorField& cellU,
-    const volVectorField& cellGradP
+    const volVectorField& cellGradP,
+    const surfaceScalarField& mu
 )
 {
     const stopwatch::lap lap(time_);
@@ -36,6 +37,8 @@ void Foam::grainFluidExchange::moveGrains
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         const scalar rhop = grains_.motion().density(graini);
+        const bool isResolved = resolved_.isResolved(graini);
+        const bool isCluster = grains_.members(graini).size() > 1;
 
         for
         (
@@ -45,11 +48,24 @@ void Foam::grainFluidExchange::moveGrains
         )
         {
             const label celli = overlaps.cell[k];
+            const scalar V = overlaps.volume[k];
+            force[graini] -= V*rho*g;
+
+            if (isResolved)
+            {
+                // The pressure on a disc or sphere has no moment
+                if (isCluster)
+                {
+                    torque[graini] -= V*(overlaps.arm[k] ^ gradP[celli]);
+                }
+                continue;
+            }
+
             const vector f
             (
-                overlaps.volume[k]
+                V
                *(
-                  - onGrains*gradP[celli] - rho*g
+                  - onGrains*gradP[celli]
                   + gamma_[k]*a_[k]
                    *(U[celli] - vo_[k] + onGrains*deltaT/rhop*gradP[celli])
                   + e_[k]
@@ -61,28 +77,30 @@ void Foam::grainFluidExchange::moveGrains
             );
             const vector shear
             (
-                overlaps.volume[k]*(gamma_[k] - dragOfAddedMass())*a_[k]
+                V*(gamma_[k] - dragOfAddedMass())*a_[k]
                *(fromCentre & gradU[celli])
             );
             force[graini] += f;
             torque[graini] += overlaps.arm[k] ^ (f + shear);
         }
     }
+    addLockedForce(U, force);
+
     Pstream::listCombineGather(force, plusEqOp<vector>());
     Pstream::listCombineScatter(force);
     Pstream::listCombineGather(torque, plusEqOp<vector>());
     Pstream::listCombineScatter(torque);
+    resolved_.addTorque(U, mu, mu_.value(), torque);
 
     // What the fluid's equation holds of the grains, cell by cell
     given_ = Zero;
     forAll(eps_, celli)
     {
-        const scalar solid = 1 - eps_[celli];
-
         given_ += deltaT*mesh_.V()[celli]
            *(
-              - solid*rho*g
-              + onGrains*(kappa_[celli] - solid)*cellGradP[celli]
+              - (1 - eps_[celli])*rho*g
+              + onGrains*(kappa_[celli] - 1 + fluidShare_[celli])
+               *cellGradP[celli]
               + beta_[celli]*cellU[celli] - b_[celli]
             );
     }

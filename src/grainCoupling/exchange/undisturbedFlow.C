@@ -5,34 +5,9 @@
 
 #include "undisturbedFlow.H"
 
+#include "cellSizes.H"
 #include "dictionaryInput.H"
 #include "implicitDiffusion.H"
-
-namespace
-{
-
-using namespace Foam;
-
-// Of a mesh of discs the square root of the area
-tmp<scalarField> sizes(const fvMesh& mesh)
-{
-    if (mesh.nGeometricD() == 3)
-    {
-        return cbrt(mesh.V().field());
-    }
-    scalar depth = 1;
-    for (direction i = 0; i < vector::nComponents; ++i)
-    {
-        if (mesh.geometricD()[i] < 0)
-        {
-            depth *= mesh.bounds().span()[i];
-        }
-    }
-    return sqrt(mesh.V().field()/depth);
-}
-
-}
-
 
 Foam::scalar Foam::undisturbedFlow::readWidth(const dictionary& coupling)
 {
@@ -77,7 +52,7 @@ Foam::undisturbedFlow::undisturbedFlow
       ? 0 : readWidth(grains.motion().coupling())
     ),
     gradientOnGrains_(gradientOnGrains),
-    cellSize_(sizes(mesh_)),
+    cellSize_(cellSizes(mesh_)),
     cellSizeRange_(gMin(cellSize_), gMax(cellSize_)),
     isActive_(false),
     gradP_
@@ -106,6 +81,7 @@ Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
 void Foam::undisturbedFlow::set
 (
     const grainSystem& grains,
+    const resolvedGrains& resolved,
     const volScalarField& eps,
     const volVectorField& U,
     const dragLaw& law,
@@ -120,8 +96,14 @@ void Foam::undisturbedFlow::set
     }
 
     scalar smallest = GREAT, largest = 0, sum = 0;
+    label number = 0;
     for (label i = 0; i < grains.size(); ++i)
     {
+        if (resolved.isResolved(i))
+        {
+            continue;
+        }
+        ++number;
         const scalar d = grains.fluidDiameter(i);
         smallest = min(smallest, d);
         largest = max(largest, d);
@@ -136,7 +118,7 @@ void Foam::undisturbedFlow::set
         return;
     }
 
-    const scalar spread = sqr(width_*sum/grains.size())/24;
+    const scalar spread = sqr(width_*sum/number)/24;
     const auto filtered = [&](const auto& x)
     {
         return implicitDiffusion(mesh_, x, spread, 1, 1e-9);

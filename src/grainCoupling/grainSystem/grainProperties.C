@@ -78,7 +78,7 @@ void Foam::grainProperties<D>::check() const
             coupling(),
             {
                 "packingRatio", "form", "voidFraction", "drag", "viscosity",
-                "addedMass", "lift", "undisturbedFlow"
+                "addedMass", "lift", "undisturbedFlow", "resolvedGrains"
             }
         );
     }

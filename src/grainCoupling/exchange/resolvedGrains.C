@@ -1,0 +1,234 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "resolvedGrains.H"
+
+#include "cellSizes.H"
+#include "dictionaryInput.H"
+
+Foam::scalar Foam::resolvedGrains::readFrom() const
+{
+    constexpr scalar defaultFrom = 4;
+
+    if (!grains_.voidFraction().resolves())
+    {
+        return GREAT;
+    }
+    const dictionary& coupling = grains_.motion().coupling();
+    if (!coupling.found("resolvedGrains"))
+    {
+        return defaultFrom;
+    }
+    const dictionary dict
+    (
+        dictionaryInput::subDict(coupling, "resolvedGrains")
+    );
+    dictionaryInput::checkKeywords(dict, {"type", "from"});
+
+    const word type(dict.get<word>("type"));
+    if (type == "none")
+    {
+        return GREAT;
+    }
+    if (type != "locked")
+    {
+        dictionaryInput::badValue(dict, "type", type, "locked, none");
+    }
+    return dictionaryInput::getScalarOrDefault
+    (
+        dict, "from", dimless, defaultFrom, 2, 100
+    );
+}
+
+
+Foam::resolvedGrains::resolvedGrains(const grainSystem& grains)
+:
+    grains_(grains),
+    mesh_(grains.mesh()),
+    from_(readFrom()),
+    cellSize_(cellSizes(mesh_)),
+    smallestCell_(gMin(cellSize_)),
+    isActive_(false),
+    grain_
+    (
+        IOobject("grainOfCell", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("none", dimless, -1)
+    ),
+    locked_
+    (
+        IOobject("locked", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    ),
+    lockedFaces_
+    (
+        IOobject("lockedFaces", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    ),
+    openCells_
+    (
+        IOobject("openCells", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("one", dimless, 1)
+    ),
+    conductance_
+    (
+        IOobject("conductance", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("one", dimless, 1)
+    ),
+    wallJump_
+    (
+        IOobject("wallJump", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    rigidity_
+    (
+        IOobject("rigidity", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimDynamicViscosity, Zero)
+    )
+{}
+
+
+void Foam::resolvedGrains::findResolved()
+{
+    const overlapList& overlaps = grains_.overlaps();
+
+    scalarField size(grains_.size(), Zero);
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for
+        (
+            label k = overlaps.start[graini];
+            k < overlaps.start[graini + 1];
+            ++k
+        )
+        {
+            size[graini] += overlaps.volume[k]*cellSize_[overlaps.cell[k]];
+        }
+    }
+    Pstream::listCombineGather(size, plusEqOp<scalar>());
+    Pstream::listCombineScatter(size);
+
+    isResolved_.resize(grains_.size());
+    forAll(isResolved_, graini)
+    {
+        isResolved_[graini] =
+            size[graini] > 0
+         && grains_.fluidDiameter(graini)*grains_.mappedVolume()[graini]
+         >= from_*size[graini];
+    }
+}
+
+
+void Foam::resolvedGrains::lockCells()
+{
+    const overlapList& overlaps = grains_.overlaps();
+
+    grain_ == dimensionedScalar("none", dimless, -1);
+    locked_ == dimensionedScalar(dimless, Zero);
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for
+        (
+            label k = overlaps.start[graini];
+            isResolved_[graini] && k < overlaps.start[graini + 1];
+            ++k
+        )
+        {
+            const label celli = overlaps.cell[k];
+            const point& x = mesh_.C()[celli];
+            const scalar d = depth(graini, x);
+            const label other = grain(celli);
+
+            if (d > 0 && (other < 0 || d > depth(other, x)))
+            {
+                grain_[celli] = graini;
+                locked_[celli] = 1;
+            }
+        }
+    }
+    grain_.correctBoundaryConditions();
+    locked_.correctBoundaryConditions();
+
+    density_ = scalarField(grains_.size(), Zero);
+    forAll(locked_, celli)
+    {
+        if (locked_[celli] > 0)
+        {
+            density_[grain(celli)] += mesh_.V()[celli];
+        }
+    }
+    Pstream::listCombineGather(density_, plusEqOp<scalar>());
+    Pstream::listCombineScatter(density_);
+
+    forAll(density_, graini)
+    {
+        density_[graini] =
+            grains_.motion().density(graini)*grains_.mappedVolume()[graini]
+           /max(density_[graini], VSMALL);
+    }
+}
+
+
+void Foam::resolvedGrains::update()
+{
+    const bool wasActive = isActive_;
+
+    isActive_ = false;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        isActive_ =
+            isActive_
+         || grains_.fluidDiameter(i) > from_*smallestCell_;
+    }
+
+    if (isActive_)
+    {
+        findResolved();
+        lockCells();
+        setFaces();
+    }
+    else if (wasActive)
+    {
+        setFaces();
+        grain_ == dimensionedScalar("none", dimless, -1);
+        locked_ == dimensionedScalar(dimless, Zero);
+    }
+}
+
+
+Foam::vector Foam::resolvedGrains::inMesh(const vector& x) const
+{
+    vector result(x);
+    for (direction i = 0; i < vector::nComponents; ++i)
+    {
+        if (mesh_.geometricD()[i] < 0)
+        {
+            result[i] = 0;
+        }
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::resolvedGrains::depth
+(
+    const label graini,
+    const point& x
+) const
+{
+    scalar result = -GREAT;
+    for (const grainMember& body : grains_.members(graini))
+    {
+        result = max(result, body.radius - mag(inMesh(x - body.centre)));
+    }
+    return result;
+}

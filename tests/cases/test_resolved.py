@@ -1,0 +1,131 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grains that are many cells large: the flow around them is resolved, no law acts on them."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, ledger, replace, run_whole_and_parts, tracks
+from sphere_box import SIDE, sphere_box
+from test_restart import assert_same
+
+GRAINS = "constant/grainProperties"
+FLUID = "constant/transportProperties"
+WALLS = '"left|right|bottom|top"'
+RHO, G = 1000.0, 9.81
+
+
+def open_ends(case, speed):
+    """Fluid that flows upward between frictionless walls."""
+    for patch in ("bottom", "top"):
+        begin = f"{patch}\n    {{\n        type    "
+        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    replace(
+        case,
+        "0/U",
+        f"{WALLS}\n    {{\n        type    noSlip;\n    }}",
+        f'"left|right" {{ type slip; }} top {{ type zeroGradient; }}'
+        f" bottom {{ type fixedValue; value uniform (0 {speed} 0); }}",
+    )
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
+    outlet = "top { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", WALLS, f'{outlet} "left|right|bottom"')
+    replace(case, GRAINS, "(left right bottom top)", "(left right)")
+    replace(case, "constant/g", "-9.81", "0")
+
+
+@pytest.mark.parametrize("density", [500, 1010, 7800])
+def test_fluid_and_grain_that_move_together_go_on(clone, density):
+    """Nothing acts: cells that the grain takes and leaves on its way must not push it."""
+    speed, cells = 0.1, 40
+    case = grain_box(clone, [(0.047, 0.04)], 0.01, velocity=[(0, speed)])
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    open_ends(case, speed)
+    replace(case, GRAINS, "density 2500", f"density {density}")
+    case.run("blockMesh")
+    # A fifth of the cell size per step
+    control(case, deltaT=5e-3, endTime=0.2, writeInterval=40)
+    case.run("grainFoam")
+    motion = tracks(case)
+    # Round-off and the solvers' tolerance
+    np.testing.assert_allclose(motion[:, 6], speed, rtol=1e-9)
+    np.testing.assert_allclose(motion[:, [5, 10]], 0, atol=1e-9 * speed)
+    np.testing.assert_allclose(case.field("U")[:, 1], speed, rtol=1e-8)
+
+
+def faxen(d, width, force, mu):
+    """Speed of a cylinder between walls at Re -> 0, force per length (Faxen 1946)."""
+    k = d / width
+    return (
+        force * (-np.log(k) - 0.9157 + 1.7244 * k**2 - 1.7302 * k**4) / (4 * np.pi * mu)
+    )  # within 1 % for k < 0.5
+
+
+# Cells in a diameter, viscous time of a cell per step nu deltaT/h^2, bound
+@pytest.mark.parametrize(
+    "resolution, viscous, bound",
+    [(4, 0.6, 0.05), (8, 0.6, 0.03), (8, 5.0, 0.04), (12, 0.6, 0.02)],
+)
+def test_cylinder_creeps_as_fast_as_in_theory(clone, resolution, viscous, bound):
+    """In a channel four diameters wide; off the middle of a cell, long before the ends."""
+    d, width, mu, excess = 0.025, 0.1, 100.0, 100.0
+    h = d / resolution
+    case = grain_box(clone, [(0.05, 0.15 + 0.3 * h)], d / 2)
+    path = case.path / "system/blockMeshDict"
+    path.write_text(
+        path.read_text()
+        .replace("0.1 0.1 ", "0.1 0.3 ")
+        .replace("(0   0.1 ", "(0   0.3 ")
+        .replace("(10 10 1)", f"({4 * resolution} {12 * resolution} 1)")
+    )
+    case.run("blockMesh")
+    replace(case, FLUID, "1e-4", str(mu / RHO))
+    replace(case, GRAINS, "density 2500", f"density {RHO + excess}")
+    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    resolvedGrains { type locked; from 4; }")
+    delta_t = viscous * h**2 / (mu / RHO)
+    steps = int(2 * d**2 / (mu / RHO) / delta_t)
+    control(case, deltaT=delta_t, endTime=(steps + 0.5) * delta_t, writeInterval=steps)
+    control(case, timePrecision=12)
+    case.run("grainFoam")
+    exact = faxen(d, width, excess * G * np.pi / 4 * d**2, mu)
+    assert -tracks(case)[-1, 6] == pytest.approx(exact, rel=bound)
+
+
+def falling(clone, name=None):
+    """A disc that falls past the middle, where ranks meet, and spins."""
+    case = grain_box(clone, [(0.052, 0.06)], 0.012, velocity=[(0.01, 0)], name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(50 50 1)")
+    case.run("blockMesh")
+    control(case, deltaT=2e-3, endTime=0.12, writeInterval=30)
+    return case
+
+
+@pytest.mark.parallel
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_ranks_agree(clone, ranks):
+    one, many = falling(clone, "one"), falling(clone, "many")
+    one.run("grainFoam")
+    replace(many, "system/decomposeParDict", "numberOfSubdomains 2", f"numberOfSubdomains {ranks}")
+    replace(many, "system/decomposeParDict", "(2 1 1)", f"(2 {ranks // 2} 1)")
+    many.run("decomposePar")
+    many.parallel("grainFoam", ranks)
+    # The linear solvers' tolerance
+    a, b = tracks(one), tracks(many)
+    assert np.abs(a[:, [5, 6]]).max() > 0.01
+    np.testing.assert_allclose(a[:, [2, 3]], b[:, [2, 3]], atol=1e-7)
+    np.testing.assert_allclose(a[:, [5, 6]], b[:, [5, 6]], atol=1e-6)
+    assert ledger(many)["mappingError"].max() <= 1e-12
+
+
+def test_stop_and_restart(clone):
+    whole, parts = falling(clone, "whole"), falling(clone, "parts")
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.06, end=0.12)
+    assert_same(whole, parts)
+
+
+def test_sphere_at_rest_in_fluid_of_its_density(clone):
+    centre = (0.5 * SIDE, 0.47 * SIDE, 0.52 * SIDE)
+    case = sphere_box(clone, [centre], 0.2 * SIDE, mesh="warped", n=12)
+    replace(case, GRAINS, "density 2500", "density 1000")
+    control(case, endTime=0.01)
+    case.run("grainFoam")
+    assert np.abs(tracks(case)[:, 5:8]).max() <= 1e-10

@@ -5,6 +5,7 @@
 
 #include "resolvedGrains.H"
 
+#include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceInterpolate.H"
 
@@ -133,4 +134,56 @@ void Foam::resolvedGrains::setFaces()
     openCells_.correctBoundaryConditions();
     openCells_.primitiveFieldRef() =
         noneOf(1 - pos(fvc::interpolate(openCells_) - 1 + SMALL));
+}
+
+
+Foam::tmp<Foam::surfaceVectorField> Foam::resolvedGrains::faceExcess
+(
+    const volVectorField& U
+) const
+{
+    tmp<surfaceVectorField> tresult
+    (
+        new surfaceVectorField
+        (
+            IOobject("faceExcess", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedVector(dimVelocity, Zero)
+        )
+    );
+    surfaceVectorField& result = tresult.ref();
+    const surfaceVectorField jump(fvc::snGrad(U)/mesh_.nonOrthDeltaCoeffs());
+
+    forLinks
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label patchi,
+            const label facei
+        )
+        {
+            if (own.isLocked() == nei.isLocked())
+            {
+                return;
+            }
+            // From the surface to the fluid's cell, and half of that between
+            // the cells
+            const scalar c = resolvedFace::at(conductance_, patchi, facei);
+            const vector cells
+            (
+                (own.isLocked() ? 1 : -1)*resolvedFace::at(jump, patchi, facei)
+            );
+            const vector fluid
+            (
+                cells
+              + (own.isLocked() ? 1 : -1)/c
+               *resolvedFace::at(wallJump_, patchi, facei)
+            );
+            resolvedFace::at(result, patchi, facei) =
+                0.5*cells - min(0.5*c, scalar(2))*fluid;
+        }
+    );
+    return tresult;
 }

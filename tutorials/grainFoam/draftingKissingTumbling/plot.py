@@ -16,6 +16,7 @@ from grainresults import Results
 D = 0.0025  # diameter [m]
 TRAILING, LEADING = 0, 1
 SOURCE = "Glowinski et al. 2001"
+OFFSET = "Uhlmann 2005"
 
 
 def read_track(disc):
@@ -88,6 +89,13 @@ def main():
     )  # fmt: skip
     results.add(
         "tumbling: both at the same height", first(time, apart <= 0), "s", 0.248, "5 %", SOURCE
+    )
+    # The reference says nothing of an offset; this one has that of the tutorial
+    results.add(
+        "kissing, from that offset", first(time, distance <= 1.02 * D), "s", 0.170, "5 %", OFFSET
+    )
+    results.add(
+        "tumbling, from that offset", first(time, apart <= 0), "s", 0.28, "5 %", OFFSET
     )
     results.add(
         "fastest trailing disc", -100 * trailing["vy"].min(), "cm/s", 18.15, "", SOURCE

@@ -62,6 +62,25 @@ def cyclic_box(clone, centres, radius):
     return case
 
 
+def open_ends(case, speed):
+    """Fluid that flows in below at a speed, up between frictionless walls; no gravity."""
+    walls = '"left|right|bottom|top"'
+    for patch in ("bottom", "top"):
+        begin = f"{patch}\n    {{\n        type    "
+        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    replace(
+        case,
+        "0/U",
+        f"{walls}\n    {{\n        type    noSlip;\n    }}",
+        f'"left|right" {{ type slip; }} top {{ type zeroGradient; }}'
+        f" bottom {{ type fixedValue; value uniform (0 {speed} 0); }}",
+    )
+    outlet = "top { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", walls, f'{outlet} "left|right|bottom"')
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(left right)")
+    replace(case, "constant/g", "-9.81", "0")
+
+
 def replace(case, file, old, new):
     """Replace a text that stands once in a file of the case."""
     path = case.path / file

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, replace, tracks
+from grain_box import control, grain_box, lattice, open_ends, replace, tracks
 from test_motion import gamma
 
 WALLS = '"left|right|bottom|top"'
@@ -14,23 +14,10 @@ def test_pressure_drop_and_velocity_of_a_fixed_bed(clone):
     """Three rows of cells full of grains too heavy to move, clear fluid on both sides."""
     d, spacing, height, speed, nu = 0.004, 0.005, 0.03, 1e-3, 1e-4
     case = grain_box(clone, lattice(20, 6, spacing, (0.0025, 0.0425)), d / 2)
-    for patch in ("bottom", "top"):
-        begin = f"{patch}\n    {{\n        type    "
-        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    open_ends(case, speed)
     case.run("blockMesh")
-    replace(
-        case,
-        "0/U",
-        f"{WALLS}\n    {{\n        type    noSlip;\n    }}",
-        f'"left|right" {{ type slip; }} top {{ type zeroGradient; }}'
-        f" bottom {{ type fixedValue; value uniform (0 {speed} 0); }}",
-    )
-    outlet = "top { type fixedValue; value uniform 0; }"
-    replace(case, "0/p_rgh", WALLS, f'{outlet} "left|right|bottom"')
     replace(case, "constant/transportProperties", "1e-4", str(nu))
     replace(case, "constant/grainProperties", "density 2500", "density 1e10")
-    replace(case, "constant/grainProperties", "(left right bottom top)", "(left right)")
-    replace(case, "constant/g", "-9.81", "0")
     control(case, deltaT=1e-2, endTime=3, writeInterval=300)
     case.run("grainFoam")
 

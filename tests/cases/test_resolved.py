@@ -4,33 +4,13 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, ledger, replace, run_whole_and_parts, tracks
+from grain_box import control, grain_box, ledger, open_ends, replace, run_whole_and_parts, tracks
 from sphere_box import SIDE, sphere_box
 from test_restart import assert_same
 
 GRAINS = "constant/grainProperties"
 FLUID = "constant/transportProperties"
-WALLS = '"left|right|bottom|top"'
 RHO, G = 1000.0, 9.81
-
-
-def open_ends(case, speed):
-    """Fluid that flows upward between frictionless walls."""
-    for patch in ("bottom", "top"):
-        begin = f"{patch}\n    {{\n        type    "
-        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
-    replace(
-        case,
-        "0/U",
-        f"{WALLS}\n    {{\n        type    noSlip;\n    }}",
-        f'"left|right" {{ type slip; }} top {{ type zeroGradient; }}'
-        f" bottom {{ type fixedValue; value uniform (0 {speed} 0); }}",
-    )
-    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
-    outlet = "top { type fixedValue; value uniform 0; }"
-    replace(case, "0/p_rgh", WALLS, f'{outlet} "left|right|bottom"')
-    replace(case, GRAINS, "(left right bottom top)", "(left right)")
-    replace(case, "constant/g", "-9.81", "0")
 
 
 @pytest.mark.parametrize("density", [500, 1010, 7800])
@@ -40,6 +20,7 @@ def test_fluid_and_grain_that_move_together_go_on(clone, density):
     case = grain_box(clone, [(0.047, 0.04)], 0.01, velocity=[(0, speed)])
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
     open_ends(case, speed)
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
     replace(case, GRAINS, "density 2500", f"density {density}")
     case.run("blockMesh")
     # A fifth of the cell size per step

@@ -40,6 +40,7 @@ struct Mesh
     std::vector<Polygon> faces;
     std::vector<Point> normals;             // of unit length
     std::vector<std::pair<int, int>> kind;  // material, body
+    double flat = 0;                        // no face is so low [m]
 
     explicit Mesh(const Foam::wallPieceList<3>& list)
     {
@@ -55,6 +56,16 @@ struct Mesh
         {
             entry.second = int(points.size());
             points.push_back(entry.first);
+        }
+        if (!points.empty())
+        {
+            Point lower(points[0]), upper(points[0]);
+            for (const Point& p : points)
+            {
+                lower = lower.cwiseMin(p);
+                upper = upper.cwiseMax(p);
+            }
+            flat = parallel*(upper - lower).maxCoeff();
         }
 
         std::vector<std::pair<Polygon, std::pair<int, int>>> sorted;
@@ -97,6 +108,24 @@ struct Mesh
                 )/2;
         }
         return sum;
+    }
+
+    double longestEdge(const Polygon& f) const
+    {
+        double longest = 0;
+        for (std::size_t i = 0; i < f.size(); ++i)
+        {
+            const Point u(points[f[(i + 1)%f.size()]] - points[f[i]]);
+            longest = std::max(longest, u.norm());
+        }
+        return longest;
+    }
+
+    // Is a polygon no more than an edge to nscd, which joins what is on its
+    // two sides?
+    bool isFlat(const Polygon& f) const
+    {
+        return 2*area(f).norm() <= flat*longestEdge(f);
     }
 
     // Do three points lie on a straight line?
@@ -243,18 +272,11 @@ std::vector<Polygon> triangles(const Mesh& mesh, Polygon polygon)
             const Polygon t{corner(i, -1), corner(i, 0), corner(i, 1)};
             Polygon rest(polygon);
             rest.erase(rest.begin() + i);
-            const Point& a = mesh.points[t[0]];
-            const Point& b = mesh.points[t[1]];
-            const Point& c = mesh.points[t[2]];
-            const double longest = std::max
-            ({
-                (b - a).squaredNorm(), (c - b).squaredNorm(),
-                (a - c).squaredNorm()
-            });
+            const double longest = Foam::sqr(mesh.longestEdge(t));
             const double round = mesh.area(t).norm()/longest;
             const bool leavesArea =
                 rest.size() < 3
-             || mesh.area(rest).norm() > parallel*longest;
+             || (mesh.area(rest).norm() > parallel*longest && !mesh.isFlat(rest));
             if (leavesArea && round > best)
             {
                 best = round;
@@ -262,7 +284,7 @@ std::vector<Polygon> triangles(const Mesh& mesh, Polygon polygon)
             }
         }
         const Polygon t{corner(ear, -1), corner(ear, 0), corner(ear, 1)};
-        if (best > parallel)
+        if (best > parallel && !mesh.isFlat(t))
         {
             result.push_back(t);
         }

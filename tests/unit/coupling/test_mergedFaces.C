@@ -173,3 +173,25 @@ TEST(MergedFaces, DivideAPolygon)
     EXPECT_EQ(walls.size(), 4u);
     EXPECT_NEAR(area(walls), 1.5*std::sqrt(3.0), 1e-14);
 }
+
+
+TEST(MergedFaces, LeaveOutWhatIsNoMoreThanAnEdge)
+{
+    // A vertex in the middle of an edge, off it by half of what nscd accepts as a triangle's height
+    const double off = 5e-10, side = 0.05;
+    const wallFace square
+    {
+        {{0, 0, 0}, {side/2, off, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, 0
+    };
+    const nscd::Walls<3> walls
+    (
+        mergedFaces({square, quad({0, 0, 1}, Point::UnitX(), Point::UnitY())})
+    );
+    EXPECT_EQ(walls.size(), 5u);
+    EXPECT_NEAR(area(walls), 1 + sqr(side), side*off);
+    for (const auto& wall : walls)
+    {
+        const auto& t = std::get<nscd::Triangle>(wall);
+        EXPECT_GT((t.b - t.a).cross(t.c - t.a).norm(), 1e-9*side);
+    }
+}

@@ -80,6 +80,25 @@ def falling(clone, name=None):
     return case
 
 
+def test_grain_of_just_four_cells_is_resolved_wherever_it_is(clone):
+    """Whether it is does not hang on the round-off of overlaps, which changes on its way."""
+    motion = []
+    for cells in ("4", "3.9"):
+        case = grain_box(clone, [(0.0513, 0.06)], 0.004, velocity=[(0.01, 0)], name=cells)
+        replace(case, "system/blockMeshDict", "(10 10 1)", "(50 50 1)")
+        replace(
+            case,
+            GRAINS,
+            "coupling\n{",
+            f"coupling\n{{\n    resolvedGrains {{ type locked; from {cells}; }}",
+        )
+        case.run("blockMesh")
+        control(case, deltaT=2e-3, endTime=0.1, writeInterval=50)
+        case.run("grainFoam")
+        motion.append(tracks(case))
+    np.testing.assert_array_equal(*motion)
+
+
 @pytest.mark.parallel
 @pytest.mark.parametrize("ranks", [2, 4])
 def test_ranks_agree(clone, ranks):

@@ -116,13 +116,16 @@ void Foam::resolvedGrains::findResolved()
     Pstream::listCombineGather(size, plusEqOp<scalar>());
     Pstream::listCombineScatter(size);
 
+    // A grain of just as many cells must not change with the round-off of its overlaps
+    const scalar from = (1 - 1e-6)*from_;
+
     isResolved_.resize(grains_.size());
     forAll(isResolved_, graini)
     {
         isResolved_[graini] =
             size[graini] > 0
          && grains_.fluidDiameter(graini)*grains_.mappedVolume()[graini]
-         >= from_*size[graini];
+         >= from*size[graini];
     }
 }
 

@@ -110,6 +110,16 @@ struct Mesh
         return sum;
     }
 
+    Point average(const Polygon& f) const
+    {
+        Point sum(Point::Zero());
+        for (const int i : f)
+        {
+            sum += points[i];
+        }
+        return sum/double(f.size());
+    }
+
     double longestEdge(const Polygon& f) const
     {
         double longest = 0;
@@ -313,7 +323,12 @@ nscd::Walls<3> Foam::mergedFaces(const wallPieceList<3>& faces)
     for (const auto& plane : planes)
     {
         const Polygon loop(outline(mesh, plane.second));
-        if (loop.size() && isConvex(mesh, loop, mesh.normals[plane.first]))
+        if
+        (
+            loop.size()
+         && mesh.isPlane(plane.first)
+         && isConvex(mesh, loop, mesh.normals[plane.first])
+        )
         {
             loops[plane.first] = loop;
             for (std::size_t i = 0; i < loop.size(); ++i)
@@ -337,7 +352,24 @@ nscd::Walls<3> Foam::mergedFaces(const wallPieceList<3>& faces)
     nscd::Walls<3> walls;
     for (const auto& plane : planes)
     {
-        std::vector<Polygon> polygons;
+        const auto add = [&](const Point& a, const Point& b, const Point& c)
+        {
+            nscd::Triangle wall;
+            wall.a = a;
+            wall.b = b;
+            wall.c = c;
+            wall.material = mesh.kind[plane.first].first;
+            wall.body = mesh.kind[plane.first].second;
+            walls.push_back(wall);
+        };
+        const auto addPlane = [&](const Polygon& polygon)
+        {
+            for (const Polygon& t : triangles(mesh, polygon))
+            {
+                add(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+            }
+        };
+
         if (loops.count(plane.first))
         {
             Polygon corners;
@@ -348,26 +380,28 @@ nscd::Walls<3> Foam::mergedFaces(const wallPieceList<3>& faces)
                     corners.push_back(i);
                 }
             }
-            polygons.push_back(corners);
+            addPlane(corners);
+            continue;
         }
-        else
+        for (const int f : plane.second)
         {
-            for (const int f : plane.second)
+            const Polygon& polygon = mesh.faces[f];
+            if (mesh.isPlane(f))
             {
-                polygons.push_back(mesh.faces[f]);
+                addPlane(polygon);
+                continue;
             }
-        }
-        for (const Polygon& polygon : polygons)
-        {
-            for (const Polygon& t : triangles(mesh, polygon))
+
+            // As the cell behind the face ends
+            const Point centre(mesh.average(polygon));
+            for (std::size_t i = 0; i < polygon.size(); ++i)
             {
-                nscd::Triangle wall;
-                wall.a = mesh.points[t[0]];
-                wall.b = mesh.points[t[1]];
-                wall.c = mesh.points[t[2]];
-                wall.material = mesh.kind[plane.first].first;
-                wall.body = mesh.kind[plane.first].second;
-                walls.push_back(wall);
+                const Point& a = mesh.points[polygon[i]];
+                const Point& b = mesh.points[polygon[(i + 1)%polygon.size()]];
+                if ((b - a).cross(centre - a).norm() > mesh.flat*(b - a).norm())
+                {
+                    add(a, b, centre);
+                }
             }
         }
     }

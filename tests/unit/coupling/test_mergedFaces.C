@@ -195,3 +195,16 @@ TEST(MergedFaces, LeaveOutWhatIsNoMoreThanAnEdge)
         EXPECT_GT((t.b - t.a).cross(t.c - t.a).norm(), 1e-9*side);
     }
 }
+
+
+TEST(MergedFaces, DivideWarpedFacesAsTheCellsBehindThem)
+{
+    // About the average of the vertices: volumes that end at the face end there for grains, too
+    const wallFace warped{{{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0}, {0, 1, 0.2}}, 0};
+    const nscd::Walls<3> walls(mergedFaces({warped}));
+    EXPECT_EQ(walls.size(), 4u);
+    for (const auto& wall : walls)
+    {
+        EXPECT_LT((std::get<nscd::Triangle>(wall).c - Point(0.5, 0.5, 0.1)).norm(), 1e-15);
+    }
+}

@@ -252,6 +252,16 @@ TABLE = [
         [GRAINS, "'form'", "value C", "A, B"],
     ),
     (
+        "motion",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion frozen;"),
+        [GRAINS, "'motion'", "value frozen", "free, fixed"],
+    ),
+    (
+        "noDictionary",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains locked;"),
+        [GRAINS, "'resolvedGrains'", "locked", "dictionary"],
+    ),
+    (
         "addedMass",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ addedMass -1;"),
         [GRAINS, "'addedMass'", "value -1", ">= 0"],

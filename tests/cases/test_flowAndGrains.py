@@ -11,13 +11,13 @@ WALLS = '"left|right|bottom|top"'
 
 
 def test_pressure_drop_and_velocity_of_a_fixed_bed(clone):
-    """Three rows of cells full of grains too heavy to move, clear fluid on both sides."""
+    """Three rows of cells full of fixed grains, clear fluid on both sides."""
     d, spacing, height, speed, nu = 0.004, 0.005, 0.03, 1e-3, 1e-4
     case = grain_box(clone, lattice(20, 6, spacing, (0.0025, 0.0425)), d / 2)
     open_ends(case, speed)
     case.run("blockMesh")
     replace(case, "constant/transportProperties", "1e-4", str(nu))
-    replace(case, "constant/grainProperties", "density 2500", "density 1e10")
+    replace(case, "constant/grainProperties", "coupling\n{", "coupling\n{\n    motion  fixed;")
     control(case, deltaT=1e-2, endTime=3, writeInterval=300)
     case.run("grainFoam")
 

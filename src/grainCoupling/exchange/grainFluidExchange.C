@@ -67,7 +67,7 @@ Foam::grainFluidExchange::grainFluidExchange
     lift_(liftLaw::all(grains.motion().coupling())),
     gradientOnGrains_(readForm(grains.motion().coupling())),
     undisturbed_(grains, gradientOnGrains_),
-    resolved_(grains),
+    resolved_(grains, rho.value(), mu.value()),
     eps_
     (
         IOobject

@@ -73,7 +73,8 @@ void Foam::grainFluidExchange::moveGrains
             );
             const vector fromCentre
             (
-                grains_.centres()[graini] + overlaps.arm[k] - C[celli]
+                overlaps.arm[k]
+              - grains_.shortest(C[celli] - grains_.centres()[graini])
             );
             const vector shear
             (
@@ -90,7 +91,7 @@ void Foam::grainFluidExchange::moveGrains
     Pstream::listCombineScatter(force);
     Pstream::listCombineGather(torque, plusEqOp<vector>());
     Pstream::listCombineScatter(torque);
-    resolved_.addTorque(U, mu, mu_.value(), torque);
+    resolved_.addTorque(U, mu, torque);
 
     // What the fluid's equation holds of the grains, cell by cell
     given_ = Zero;

@@ -15,6 +15,10 @@ Foam::grainMotion::twist Foam::grainFluidExchange::freeMotion
     const scalar rhop = motion.density(graini);
 
     const grainMotion::twist now(motion.motion(graini));
+    if (motion.isFixed())
+    {
+        return now;
+    }
     const grainMotion::twist change(motion.contactChange(graini, deltaT));
     return
     {

@@ -36,7 +36,7 @@ Foam::scalar Foam::resolvedGrains::fluidPart
     scalar grainPart = 0;
     for (const grainMember& body : grains_.members(graini))
     {
-        const vector r(inMesh(inGrain - body.centre));
+        const vector r(between(body.centre, inGrain));
         const scalar inside = sqr(body.radius) - magSqr(r);
         if (inside > 0)
         {
@@ -71,7 +71,7 @@ Foam::resolvedGrains::link Foam::resolvedGrains::toFluid
 }
 
 
-Foam::resolvedGrains::link Foam::resolvedGrains::between
+Foam::resolvedGrains::link Foam::resolvedGrains::linkOf
 (
     const side& own,
     const side& neighbour
@@ -88,7 +88,7 @@ Foam::resolvedGrains::link Foam::resolvedGrains::between
         return toFluid(neighbour, own);
     }
     link result{1, Zero, 0};
-    if (own.grain == neighbour.grain)
+    if (own.grain == neighbour.grain && !grains_.motion().isFixed())
     {
         const label graini = label(own.grain);
         result.rigidity =
@@ -121,7 +121,7 @@ void Foam::resolvedGrains::setFaces()
             const label facei
         )
         {
-            const link l(between(own, nei));
+            const link l(linkOf(own, nei));
             resolvedFace::at(lockedFaces_, patchi, facei) = 1;
             resolvedFace::at(conductance_, patchi, facei) = l.conductance;
             resolvedFace::at(wallJump_, patchi, facei) = l.wallJump;

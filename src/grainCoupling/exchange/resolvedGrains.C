@@ -43,10 +43,17 @@ Foam::scalar Foam::resolvedGrains::readFrom() const
 }
 
 
-Foam::resolvedGrains::resolvedGrains(const grainSystem& grains)
+Foam::resolvedGrains::resolvedGrains
+(
+    const grainSystem& grains,
+    const scalar rho,
+    const scalar mu
+)
 :
     grains_(grains),
     mesh_(grains.mesh()),
+    rho_(rho),
+    mu_(mu),
     from_(readFrom()),
     cellSize_(cellSizes(mesh_)),
     smallestCell_(gMin(cellSize_)),
@@ -160,6 +167,21 @@ void Foam::resolvedGrains::lockCells()
     }
     grain_.correctBoundaryConditions();
     locked_.correctBoundaryConditions();
+}
+
+
+void Foam::resolvedGrains::setDensity()
+{
+    if (grains_.motion().isFixed())
+    {
+        // Times what a cell of fluid has of inertia and viscous resistance
+        constexpr scalar held = 1e4;
+
+        const scalar viscous =
+            mu_*mesh_.time().deltaTValue()/sqr(smallestCell_);
+        density_ = scalarField(grains_.size(), held*(rho_ + viscous));
+        return;
+    }
 
     density_ = scalarField(grains_.size(), Zero);
     forAll(locked_, celli)
@@ -197,6 +219,7 @@ void Foam::resolvedGrains::update()
     {
         findResolved();
         lockCells();
+        setDensity();
         setFaces();
     }
     else if (wasActive)
@@ -231,7 +254,7 @@ Foam::scalar Foam::resolvedGrains::depth
     scalar result = -GREAT;
     for (const grainMember& body : grains_.members(graini))
     {
-        result = max(result, body.radius - mag(inMesh(x - body.centre)));
+        result = max(result, body.radius - mag(between(body.centre, x)));
     }
     return result;
 }

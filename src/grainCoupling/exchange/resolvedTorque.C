@@ -11,7 +11,6 @@ void Foam::resolvedGrains::addTorque
 (
     const volVectorField& U,
     const surfaceScalarField& mu,
-    const scalar fluidMu,
     vectorField& torque
 ) const
 {
@@ -66,12 +65,9 @@ void Foam::resolvedGrains::addTorque
             const label graini = label(inGrain.grain);
             const vector arm
             (
-                inMesh
-                (
-                    inFluid.x - grains_.centres()[graini]
-                  + (inGrain.x - inFluid.x)
-                   /resolvedFace::at(conductance_, patchi, facei)
-                )
+                between(grains_.centres()[graini], inFluid.x)
+              + inMesh(inGrain.x - inFluid.x)
+               /resolvedFace::at(conductance_, patchi, facei)
             );
             viscous[graini] += arm ^ f;
             resistance[graini] +=
@@ -96,7 +92,7 @@ void Foam::resolvedGrains::addTorque
            *squaredGyration*sqr(grains_.fluidDiameter(graini));
 
         torque[graini] +=
-            (viscous[graini] - 2*fluidMu*V*grains_.motion().spin(graini))
+            (viscous[graini] - 2*mu_*V*grains_.motion().spin(graini))
            /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
     }
 }

@@ -116,7 +116,10 @@ void Foam::grainDynamics<D>::move
     const scalar deltaT
 )
 {
-    advance(fluidForce, fluidTorque, deltaT);
+    if (!isFixed())
+    {
+        advance(fluidForce, fluidTorque, deltaT);
+    }
     fluidForce_ = fluidForce;
 }
 

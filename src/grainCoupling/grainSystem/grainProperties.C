@@ -47,6 +47,7 @@ Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
     ),
     contact_(readContact()),
     packingRatio_(readPackingRatio()),
+    areFixed_(readFixed()),
     allowedOverlap_
     (
         dictionaryInput::getScalarOrDefault
@@ -77,7 +78,7 @@ void Foam::grainProperties<D>::check() const
         (
             coupling(),
             {
-                "packingRatio", "form", "voidFraction", "drag", "viscosity",
+                "packingRatio", "motion", "form", "voidFraction", "drag", "viscosity",
                 "addedMass", "lift", "undisturbedFlow", "resolvedGrains"
             }
         );
@@ -121,6 +122,23 @@ Foam::scalar Foam::grainProperties<D>::readPackingRatio() const
             coupling(), "packingRatio", dimless, 1, 0.1, 1
         )
       : 1;
+}
+
+
+template<int D>
+bool Foam::grainProperties<D>::readFixed() const
+{
+    if (!dict_.found("coupling"))
+    {
+        return false;
+    }
+    const dictionary& dict = coupling();
+    const word motion(dict.getOrDefault<word>("motion", "free"));
+    if (motion != "free" && motion != "fixed")
+    {
+        dictionaryInput::badValue(dict, "motion", motion, "free, fixed");
+    }
+    return motion == "fixed";
 }
 
 

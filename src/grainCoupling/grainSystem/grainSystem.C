@@ -5,15 +5,15 @@
 
 #include "grainSystem.H"
 
-#include "cyclicPolyPatch.H"
 #include "dictionaryInput.H"
+#include "periodicCells.H"
 #include "Pstream.H"
 
 Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 :
     mesh_(mesh),
     motion_(grainMotion::New(mesh, g)),
-    cells_(motion_->cells()),
+    cells_(periodicCells::New(motion_->cells())),
     voidFraction_
     (
         voidFractionMethod::New
@@ -29,17 +29,6 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
             << "Keyword 'heat' of constant/grainProperties: this solver does"
             << " not conduct heat" << nl
             << "    allowed: in dryGrainFoam" << exit(FatalIOError);
-    }
-
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (isA<cyclicPolyPatch>(patch))
-        {
-            WarningInFunction
-                << "Grains do not pass through the cyclic patch "
-                << patch.name() << ": one that reaches it leaves the mesh"
-                << endl;
-        }
     }
 
     map();

@@ -116,6 +116,14 @@ const Foam::dictionary& Foam::dictionaryInput::subDict
     const word& keyword
 )
 {
+    if (dict.found(keyword) && !dict.isDict(keyword))
+    {
+        badValue
+        (
+            dict, keyword, dict.get<word>(keyword),
+            "a dictionary, " + keyword + " { ... }"
+        );
+    }
     if (!dict.isDict(keyword))
     {
         FatalIOErrorInFunction(dict)

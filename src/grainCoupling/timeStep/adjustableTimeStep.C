@@ -130,6 +130,10 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
 ) const
 {
     const grainMotion& motion = grains_.motion();
+    if (motion.isFixed())
+    {
+        return GREAT;
+    }
 
     scalar smallest = GREAT;
     for (label i = 0; i < grains_.size(); ++i)

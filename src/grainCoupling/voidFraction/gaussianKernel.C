@@ -56,7 +56,7 @@ void Foam::voidFractionMethods::gaussianKernel::map
         cells_.findNear({x, 3*b}, near);
         for (const label celli : near)
         {
-            const scalar distance2 = magSqr(C[celli] - x);
+            const scalar distance2 = magSqr(cells_.shortest(C[celli] - x));
             if (distance2 < sqr(3*b))
             {
                 const scalar w = V[celli]*Foam::exp(-distance2/sqr(b));

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Vorticity of the finest mesh (snapshots), velocities against Namkoong et al. (results.*).
+"""Vorticity with the shorter time step (snapshots), velocities against Namkoong et al. (results.*).
 
 Usage: plot.py [-test]        -test: too few steps to compare
 """
@@ -62,15 +62,15 @@ def snapshot(case):
 
 
 def main():
-    cases = sorted(Path().glob("resolution_*"), key=lambda path: int(path.name.split("_")[1]))
+    cases = sorted(Path().glob("step_*"), key=lambda path: -float(path.name.split("_")[1]))
     results = Results()
     figure, axes = plt.subplots(2, 1, figsize=(9, 7), sharex=True, layout="constrained")
     for case in cases:
-        resolution = case.name.split("_")[1]
+        step = f"dt = {1e3 * float(case.name.split('_')[1]):g} ms"
         finest = case == cases[-1]
         time, fall, lateral = read_track(case)
         for ax, value in zip(axes, (fall, lateral), strict=True):
-            ax.plot(time, value, lw=1 if finest else 0.5, label=f"grainFoam, d/h = {resolution}")
+            ax.plot(time, value, lw=1 if finest else 0.5, label=f"grainFoam, {step}")
 
         late = time >= min(SETTLED, time[-2])
         mean = fall[late].mean()
@@ -87,7 +87,7 @@ def main():
             strict=True,
         ):
             results.add(
-                f"{quantity}, d/h = {resolution}", value, unit, expected, tolerance, SOURCE
+                f"{quantity}, {step}", value, unit, expected, tolerance, SOURCE
             )
 
     for ax, name in zip(axes, ("streamwise_up", "lateral_vp"), strict=True):

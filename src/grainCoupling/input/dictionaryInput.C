@@ -118,10 +118,11 @@ const Foam::dictionary& Foam::dictionaryInput::subDict
 {
     if (dict.found(keyword) && !dict.isDict(keyword))
     {
+        OStringStream value;
+        value << token(dict.lookup(keyword));
         badValue
         (
-            dict, keyword, dict.get<word>(keyword),
-            "a dictionary, " + keyword + " { ... }"
+            dict, keyword, value.str(), "a dictionary, " + keyword + " { ... }"
         );
     }
     if (!dict.isDict(keyword))

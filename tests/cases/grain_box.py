@@ -43,14 +43,19 @@ def mesh_triangles(case):
         case.dict_set("constant/polyMesh/boundary", f"entry0/{patch}/type", kind)
 
 
-def cyclic_box(clone, centres, radius):
-    """No walls: what leaves on one side comes in on the other."""
-    case = grain_box(clone, centres, radius)
-    for one, other in (("left", "right"), ("bottom", "top")):
-        for name, partner in ((one, other), (other, one)):
+def make_cyclic(case, *pairs):
+    """Cyclic patches instead of walls in the blockMeshDict, for pairs of opposite ones."""
+    for pair in pairs:
+        for name, partner in (pair, pair[::-1]):
             wall = f"{name}\n    {{\n        type    wall;"
             cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
             replace(case, "system/blockMeshDict", wall, cyclic)
+
+
+def cyclic_box(clone, centres, radius):
+    """No walls: what leaves on one side comes in on the other."""
+    case = grain_box(clone, centres, radius)
+    make_cyclic(case, ("left", "right"), ("bottom", "top"))
     replace(case, "0/U", "noSlip", "cyclic")
     replace(case, "0/p_rgh", "zeroGradient", "cyclic")
     text = (case.path / "constant/grainProperties").read_text()

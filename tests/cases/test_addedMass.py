@@ -4,7 +4,16 @@
 
 import numpy as np
 import pytest
-from grain_box import control, cyclic_box, grain_box, lattice, ledger, replace, tracks
+from grain_box import (
+    control,
+    cyclic_box,
+    grain_box,
+    lattice,
+    ledger,
+    make_cyclic,
+    replace,
+    tracks,
+)
 from sphere_box import SIDE, sphere_box
 from test_motion import PHI, RHO, RHO_GRAIN, G, gamma
 
@@ -66,10 +75,7 @@ def in_shear(clone, law, velocity, spin=0.0, rate=2.0, nu=1e-4):
     d = 1e-3
     centre = (0.05, 0.055, 0.05)
     case = sphere_box(clone, [centre], d / 2)
-    for a, b in (("left", "right"), ("right", "left"), ("back", "front"), ("front", "back")):
-        wall = f"{a}\n    {{\n        type    wall;"
-        cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {b};")
-        replace(case, "system/blockMeshDict", wall, cyclic)
+    make_cyclic(case, ("left", "right"), ("back", "front"))
     case.run("blockMesh")
     top = f"top {{ type fixedValue; value uniform (0 0 {rate * SIDE}); }}"
     sides = '"left|right|back|front" { type cyclic; } '

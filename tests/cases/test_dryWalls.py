@@ -11,6 +11,7 @@ from grain_box import (
     control,
     lattice,
     ledger,
+    make_cyclic,
     replace,
     run_whole_and_parts,
     tracks,
@@ -138,10 +139,7 @@ def test_ball_bounces_with_its_restitution(clone, restitution):
 
 def test_disc_passes_a_periodic_boundary_and_meets_the_other_side(clone):
     case = dry_box(clone, [(0.02, 0.05), (0.09, 0.05)], RADIUS, [(0, 0), (1, 0)], 2)
-    for name, partner in (("left", "right"), ("right", "left")):
-        wall = f"{name}\n    {{\n        type    wall;"
-        cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
-        replace(case, "system/blockMeshDict", wall, cyclic)
+    make_cyclic(case, ("left", "right"))
     replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
     replace(case, "constant/g", "(0 -9.81 0)", "(0 0 0)")
     case.run("blockMesh")

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, open_ends, replace, tracks
+from grain_box import control, grain_box, lattice, make_cyclic, open_ends, replace, tracks
 from test_motion import gamma
 
 WALLS = '"left|right|bottom|top"'
@@ -47,13 +47,7 @@ def test_pressure_drop_and_velocity_of_a_fixed_bed(clone):
 def test_shear_turns_a_grain(clone, cells, radius, low, high):
     case = grain_box(clone, [(0.05, 0.05)], radius)
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
-    for a, b in (("left", "right"), ("right", "left")):
-        replace(
-            case,
-            "system/blockMeshDict",
-            f"{a}\n    {{\n        type    wall;",
-            f"{a}\n    {{\n        type    cyclic; neighbourPatch {b};",
-        )
+    make_cyclic(case, ("left", "right"))
     case.run("blockMesh")
     speed = 0.005
     replace(

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, replace
+from grain_box import control, grain_box, lattice, make_cyclic, replace
 from test_motion import gamma
 
 SIDE, RHO = 0.1, 1000.0
@@ -94,10 +94,7 @@ def test_layers_share_the_shear_by_their_viscosity(clone, law, ratio):
     """Couette flow, its upper half with grains that go along with the fluid."""
     radius, spacing, speed = 0.0015, 0.005, 1e-4
     case = grain_box(clone, lattice(20, 10, spacing, (0.0025, 0.0525)), radius)
-    for a, b in (("left", "right"), ("right", "left")):
-        wall = f"{a}\n    {{\n        type    wall;"
-        cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {b};")
-        replace(case, "system/blockMeshDict", wall, cyclic)
+    make_cyclic(case, ("left", "right"))
     case.run("blockMesh")
     lids = (
         '"left|right" { type cyclic; } bottom { type noSlip; }'

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, cyclic_box, ledger, replace, tracks
+from grain_box import control, cyclic_box, ledger, make_cyclic, replace, tracks
 from sphere_box import SIDE, field, sphere_box
 
 GRAINS = "constant/grainProperties"
@@ -92,11 +92,7 @@ def test_cubic_array_of_spheres(clone):
     fraction, exact, nu, drop, cells = 0.064, 2.810, 1.0, -1e-3, 20
     radius = np.cbrt(3 / (4 * np.pi) * fraction) * SIDE
     case = sphere_box(clone, [(0.03 * SIDE, 0.5 * SIDE, 0.97 * SIDE)], radius, n=cells)
-    for one, other in (("left", "right"), ("bottom", "top"), ("back", "front")):
-        for name, partner in ((one, other), (other, one)):
-            wall = f"{name}\n    {{\n        type    wall;"
-            cyclic = wall.replace("wall;", f"cyclic;\n        neighbourPatch {partner};")
-            replace(case, "system/blockMeshDict", wall, cyclic)
+    make_cyclic(case, ("left", "right"), ("bottom", "top"), ("back", "front"))
     case.run("blockMesh")
     replace(case, "0/U", "noSlip", "cyclic")
     replace(case, "0/p_rgh", "zeroGradient", "cyclic")

@@ -9,6 +9,7 @@ from grain_box import (
     assert_same_grains,
     control,
     ledger,
+    make_cyclic,
     replace,
     run_whole_and_parts,
     tracks,
@@ -210,14 +211,7 @@ def test_shear_turns_a_sphere_about_the_axis_of_vorticity(clone, n, low, high):
     four to a diameter the sphere is resolved: half of it at Re -> 0, to 3 %."""
     speed, direction = 0.005, np.array([0.6, 0, 0.8])
     case = sphere_box(clone, [(0.05, 0.05, 0.05)], 0.0125, n=n)
-    for a, b in (("left", "right"), ("right", "left"), ("back", "front"), ("front", "back")):
-        wall = f"{a}\n    {{\n        type    wall;"
-        replace(
-            case,
-            "system/blockMeshDict",
-            wall,
-            wall.replace("wall;", f"cyclic;\n        neighbourPatch {b};"),
-        )
+    make_cyclic(case, ("left", "right"), ("back", "front"))
     case.run("blockMesh")
     lids = "".join(
         f"{patch} {{ type fixedValue; value uniform ({u[0]} {u[1]} {u[2]}); }}\n"

@@ -114,6 +114,12 @@ void ContactDynamics<D>::remove(const std::vector<bool>& gone)
 }
 
 template <int D>
+void ContactDynamics<D>::add(const Grains<D>& more)
+{
+    implementation_->add(more);
+}
+
+template <int D>
 void ContactDynamics<D>::save(const std::string& file, double time) const
 {
     implementation_->save(file, time);

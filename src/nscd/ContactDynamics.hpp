@@ -111,6 +111,10 @@ public:
     /// Throws std::invalid_argument unless there is one mark per grain.
     void remove(const std::vector<bool>& gone);
 
+    /// Put more grains in, after the others, which keep their order, their contacts and the impulses.  The new ones'
+    /// clusters are those that the others have.  Collective.  Throws std::invalid_argument as the constructor does.
+    void add(const Grains<D>& more);
+
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
     /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.

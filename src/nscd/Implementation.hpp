@@ -35,6 +35,7 @@ public:
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
     void remove(const std::vector<bool>& gone);
+    void add(const Grains<D>& more);
     void save(const std::string& file, double time) const;
     double load(const std::string& file);
     void restoreWalls(const State<D>& state);

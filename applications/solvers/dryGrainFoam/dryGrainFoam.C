@@ -21,7 +21,6 @@ Description
 
 #include "dictionaryInput.H"
 #include "dryLedger.H"
-#include "grainOutlets.H"
 #include "incompleteTimes.H"
 #include "timeControl.H"
 
@@ -29,12 +28,11 @@ template<int D>
 void run(Time& runTime, const fvMesh& mesh, const vector& g)
 {
     grainDynamics<D> grains(mesh, g);
-    grainOutlets<D> outlets(grains);
 
     // What goes wrong is looked for and reported by name
     const sigFpe::ignore ignoreFpe;
 
-    dryLedger<D> ledger(grains, outlets);
+    dryLedger<D> ledger(grains);
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -44,7 +42,7 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
 
         grains.move(runTime.deltaTValue());
         grains.conduct(runTime.deltaTValue());
-        outlets.open(grains);
+        grains.discharge();
 
         ledger.endStep();
         grains.checkInside();

@@ -74,6 +74,7 @@ int main(int argc, char *argv[])
         ledger.checkFinite(U, p_rgh);
 
         exchange.moveGrains(U, gradP, muf);
+        exchange.discharge(U, phiU);
 
         ledger.endStep(phi, phiU);
         grains.checkLost();

@@ -89,6 +89,7 @@ Foam::grainFluidExchange::grainFluidExchange
     b_(zeroField<vector>("b", dimForce/dimVolume)),
     G_(zeroField<vector>("G", dimVelocity)),
     K_(zeroField<scalar>("K", dimTime/dimDensity)),
+    outside_(Zero),
     given_(Zero),
     received_(Zero)
 {
@@ -228,4 +229,11 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     b_.correctBoundaryConditions();
     G_.correctBoundaryConditions();
     K_.correctBoundaryConditions();
+
+    setFreePatches(cellU);
+    extrapolate(kappa_);
+    extrapolate(beta_);
+    extrapolate(b_);
+    extrapolate(G_);
+    extrapolate(K_);
 }

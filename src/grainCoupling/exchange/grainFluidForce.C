@@ -107,6 +107,7 @@ void Foam::grainFluidExchange::moveGrains
     }
     reduce(given_, sumOp<vector>());
     received_ = deltaT*sum(force);
+    extendForce(force, torque);
 
     undisturbed_.keep(cellGradP);
     grains_.move(force, torque, deltaT);

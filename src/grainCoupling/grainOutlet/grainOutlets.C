@@ -8,21 +8,14 @@
 #include "dictionaryInput.H"
 
 template<int D>
-Foam::grainOutlets<D>::grainOutlets(const grainDynamics<D>& grains)
+Foam::grainOutlets<D>::grainOutlets(const grainProperties<D>& properties)
 :
-    progress_(grains.mesh().time()),
-    number_(0),
-    mass_(0),
-    totalNumber_(0),
-    totalMass_(0),
-    momentum_(Zero),
-    heat_(0)
+    progress_(properties.space().mesh().time())
 {
-    const dictionary& properties = grains.properties().dict();
-    if (properties.found("outlets"))
+    if (properties.dict().found("outlets"))
     {
         const dictionary& dict =
-            dictionaryInput::subDict(properties, "outlets");
+            dictionaryInput::subDict(properties.dict(), "outlets");
 
         for (const word& name : dict.toc())
         {
@@ -30,7 +23,7 @@ Foam::grainOutlets<D>::grainOutlets(const grainDynamics<D>& grains)
             (
                 grainOutlet<D>::New
                 (
-                    dictionaryInput::subDict(dict, name), grains.space()
+                    dictionaryInput::subDict(dict, name), properties.space()
                 )
             );
         }
@@ -39,50 +32,42 @@ Foam::grainOutlets<D>::grainOutlets(const grainDynamics<D>& grains)
 
 
 template<int D>
-void Foam::grainOutlets<D>::open(grainDynamics<D>& grains)
+Foam::labelList Foam::grainOutlets<D>::openings() const
 {
-    if (outlets_.empty())
-    {
-        return;
-    }
-
-    std::vector<bool> gone(grains.size(), false);
+    labelList result;
     for (const grainOutlet<D>& outlet : outlets_)
     {
-        outlet.mark(grains.grains().position, grains.outside(), gone);
+        result.append(outlet.openings());
     }
-
-    number_ = 0;
-    mass_ = 0;
-    momentum_ = Zero;
-    heat_ = 0;
-    for (label i = 0; i < grains.size(); ++i)
-    {
-        if (gone[i])
-        {
-            ++number_;
-            mass_ += grains.grains().mass[i];
-            heat_ += grains.heat() ? grains.heat()->heat(grains.grains(), i) : 0;
-            momentum_ +=
-                grains.grains().mass[i]*grains.velocity(i)
-              - grains.space().toSpace(grains.dynamics().contactImpulse()[i]);
-        }
-    }
-    totalNumber_ += number_;
-    totalMass_ += mass_;
-
-    if (number_)
-    {
-        grains.remove(gone);
-    }
-    write(grains.mesh().time());
+    return result;
 }
 
 
 template<int D>
-void Foam::grainOutlets<D>::write(const Time& runTime)
+std::vector<bool> Foam::grainOutlets<D>::passed
+(
+    const nscd::Vectors<D>& centres,
+    const boolList& outside
+) const
 {
-    if (!Pstream::master())
+    std::vector<bool> gone(centres.size(), false);
+    for (const grainOutlet<D>& outlet : outlets_)
+    {
+        outlet.mark(centres, outside, gone);
+    }
+    return gone;
+}
+
+
+template<int D>
+void Foam::grainOutlets<D>::count
+(
+    const grainTally& removed,
+    const Time& runTime
+)
+{
+    total_ += removed;
+    if (outlets_.empty() || !Pstream::master())
     {
         return;
     }
@@ -95,9 +80,9 @@ void Foam::grainOutlets<D>::write(const Time& runTime)
         );
     }
     file_()
-        << runTime.value() << ' ' << number_ << ' ' << mass_ << ' '
-        << mass_/runTime.deltaTValue() << ' ' << totalNumber_ << ' '
-        << totalMass_ << endl;
+        << runTime.value() << ' ' << removed.number << ' ' << removed.mass
+        << ' ' << removed.mass/runTime.deltaTValue() << ' ' << total_.number
+        << ' ' << total_.mass << endl;
 }
 
 

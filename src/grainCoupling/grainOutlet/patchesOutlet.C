@@ -6,8 +6,6 @@
 #include "patchesOutlet.H"
 
 #include "dictionaryInput.H"
-#include "emptyPolyPatch.H"
-#include "PstreamReduceOps.H"
 #include "wallPieces.H"
 
 addToSelection(grainOutlet, grainOutletTypes, patches)
@@ -20,33 +18,10 @@ Foam::grainOutletTypes::patches<D>::patches
 )
 :
     space_(space),
-    patches_(wallPieces::selectedPatches(dict, space.mesh()))
+    patches_(wallPieces::selectedPatches(dict, space.mesh())),
+    distance_(space.mesh(), patches_)
 {
     dictionaryInput::checkKeywords(dict, {"type", "patches"});
-}
-
-
-template<int D>
-Foam::Pair<Foam::scalar> Foam::grainOutletTypes::patches<D>::distances
-(
-    const point& p
-) const
-{
-    Pair<scalar> nearest(GREAT, GREAT);
-    for (const polyPatch& patch : space_.mesh().boundaryMesh())
-    {
-        if (!isA<emptyPolyPatch>(patch) && !patch.coupled())
-        {
-            scalar& d = nearest[patches_.found(patch.index()) ? 0 : 1];
-            for (const face& f : patch)
-            {
-                d = min(d, f.nearestPoint(p, patch.points()).distance());
-            }
-        }
-    }
-    reduce(nearest.first(), minOp<scalar>());
-    reduce(nearest.second(), minOp<scalar>());
-    return nearest;
 }
 
 
@@ -58,15 +33,19 @@ void Foam::grainOutletTypes::patches<D>::mark
     std::vector<bool>& gone
 ) const
 {
+    DynamicList<label> out;
+    DynamicList<point> x;
     forAll(outside, i)
     {
         if (outside[i])
         {
-            const Pair<scalar> d
-            (
-                distances(space_.positionInSpace(centres[i]))
-            );
-            gone[i] = gone[i] || d.first() <= d.second();
+            out.append(i);
+            x.append(space_.positionInSpace(centres[i]));
         }
+    }
+    const boolList passed(distance_.arePatchesNearest(x));
+    forAll(out, k)
+    {
+        gone[out[k]] = gone[out[k]] || passed[k];
     }
 }

@@ -8,40 +8,12 @@
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "grainShapes.H"
-#include "nscd/Random.hpp"
+#include "randomOrientation.H"
 #include "selected.H"
 
 namespace Foam
 {
     makeSelectable(grainSource)
-}
-
-namespace
-{
-
-// Uniform over all orientations; in space after Shoemake, "Uniform random
-// rotations", Graphics Gems III (1992)
-template<int D>
-nscd::Orientation<D> randomOrientation(nscd::Random& random)
-{
-    const double turn = Foam::constant::mathematical::twoPi;
-    if constexpr (D == 2)
-    {
-        return nscd::Orientation<2>(random.uniform(0, turn));
-    }
-    else
-    {
-        const double u = random.uniform(0, 1);
-        const double a = random.uniform(0, turn);
-        const double b = random.uniform(0, turn);
-        return nscd::Orientation<3>
-        (
-            std::sqrt(1 - u)*std::sin(a), std::sqrt(1 - u)*std::cos(a),
-            std::sqrt(u)*std::sin(b), std::sqrt(u)*std::cos(b)
-        );
-    }
-}
-
 }
 
 

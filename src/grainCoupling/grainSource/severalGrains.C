@@ -6,21 +6,11 @@
 #include "severalGrains.H"
 
 #include "dictionaryInput.H"
+#include "nscd/Append.hpp"
 
 #include <numeric>
 
 addToSelection(grainSource, grainSources, several)
-
-namespace
-{
-
-template<class T>
-void append(std::vector<T>& list, const std::vector<T>& more)
-{
-    list.insert(list.end(), more.begin(), more.end());
-}
-
-}
 
 
 template<int D>
@@ -58,17 +48,7 @@ nscd::Grains<D> Foam::grainSources::several<D>::read() const
     nscd::Grains<D> all(sources_[0].read());
     for (label i = 1; i < sources_.size(); ++i)
     {
-        const nscd::Grains<D> more(sources_[i].read());
-        append(all.id, more.id);
-        append(all.position, more.position);
-        append(all.velocity, more.velocity);
-        append(all.orientation, more.orientation);
-        append(all.spin, more.spin);
-        append(all.shape, more.shape);
-        append(all.radius, more.radius);
-        append(all.mass, more.mass);
-        append(all.material, more.material);
-        append(all.temperature, more.temperature);
+        nscd::append(all, sources_[i].read());
     }
     std::iota(all.id.begin(), all.id.end(), 0);
     return all;

@@ -13,7 +13,9 @@ template<int D>
 Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
 :
     grainMotion(mesh),
-    properties_(mesh, g)
+    properties_(mesh, g),
+    outlets_(properties_),
+    openings_(outlets_.openings())
 {
     const bool restart = isFile(stateFile(), false);
 
@@ -157,29 +159,6 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
             heat_->advance(grains(), dynamics_->contacts(), deltaT)
         );
     }
-}
-
-
-template<int D>
-void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
-{
-    locate();
-    label kept = 0;
-    forAll(cell_, i)
-    {
-        if (!gone[i])
-        {
-            cell_[kept] = cell_[i];
-            if (fluidForce_.size())
-            {
-                fluidForce_[kept] = fluidForce_[i];
-            }
-            ++kept;
-        }
-    }
-    fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
-    dynamics_->remove(gone);
-    isLocated_ = false;
 }
 
 

@@ -31,6 +31,10 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
             << "    allowed: in dryGrainFoam" << exit(FatalIOError);
     }
 
+    if (motion_->openings().size())
+    {
+        openings_.reset(new patchDistance(mesh, motion_->openings()));
+    }
     map();
     checkLost();
 }
@@ -52,6 +56,64 @@ void Foam::grainSystem::map()
     }
     Pstream::listCombineGather(mappedVolume_, plusEqOp<scalar>());
     Pstream::listCombineScatter(mappedVolume_);
+    findAtOpenings();
+}
+
+
+void Foam::grainSystem::findAtOpenings()
+{
+    isAtOpening_ = boolList(size(), false);
+    if (!openings_)
+    {
+        return;
+    }
+
+    // Overlaps of a grain that is wholly in the mesh are exact to round-off
+    constexpr scalar whole = 1 - 1e-9;
+
+    DynamicList<label> part;
+    DynamicList<point> x;
+    forAll(mappedVolume_, i)
+    {
+        if (mappedVolume_[i] > 0 && mappedVolume_[i] < whole*volume(i))
+        {
+            part.append(i);
+            x.append(centres()[i]);
+        }
+    }
+    const scalarField distance(openings_->fromPatches(x));
+    forAll(part, k)
+    {
+        const label i = part[k];
+        for (const grainMember& body : members(i))
+        {
+            const scalar reach = mag(body.centre - centres()[i]) + body.radius;
+            isAtOpening_[i] = isAtOpening_[i] || distance[k] < reach;
+        }
+    }
+}
+
+
+std::vector<bool> Foam::grainSystem::leaving() const
+{
+    std::vector<bool> gone(motion_->leaving());
+    const boolList& outside = motion_->outside();
+    forAll(outside, i)
+    {
+        gone[i] = gone[i] && (!outside[i] || mappedVolume_[i] <= 0);
+    }
+    return gone;
+}
+
+
+void Foam::grainSystem::discharge(const std::vector<bool>& gone)
+{
+    const label before = size();
+    motion_->discharge(gone);
+    if (size() < before)
+    {
+        map();
+    }
 }
 
 

@@ -8,14 +8,9 @@
 #include "contactReport.H"
 
 template<int D>
-Foam::dryLedger<D>::dryLedger
-(
-    const grainDynamics<D>& grains,
-    const grainOutlets<D>& outlets
-)
+Foam::dryLedger<D>::dryLedger(const grainDynamics<D>& grains)
 :
     grains_(grains),
-    outlets_(outlets),
     progress_(grains.mesh().time()),
     impulse_(Zero),
     momentumError_(0),
@@ -70,11 +65,7 @@ void Foam::dryLedger<D>::endStep()
     const scalar oldHeat = heat_;
     measure();
 
-    impulse_ = Zero;
-    for (const nscd::Vector<D>& impulse : grains_.dynamics().contactImpulse())
-    {
-        impulse_ += grains_.space().toSpace(impulse);
-    }
+    impulse_ = grains_.wallImpulse();
 
     const vector weight
     (
@@ -83,7 +74,7 @@ void Foam::dryLedger<D>::endStep()
     momentumError_ =
         mag
         (
-            momentum_ + outlets_.momentum() - oldMomentum - weight - impulse_
+            momentum_ + grains_.removed().momentum - oldMomentum - weight - impulse_
         )
        /max(mag(oldMomentum) + mag(weight) + mag(impulse_), VSMALL);
 
@@ -101,7 +92,7 @@ void Foam::dryLedger<D>::closeHeat(const scalar oldHeat)
     {
         wallHeat_ = sum(grains_.heat()->wallHeat());
         heatError_ =
-            mag(heat_ + outlets_.heat() - oldHeat - wallHeat_)
+            mag(heat_ + grains_.removed().heat - oldHeat - wallHeat_)
            /max(oldHeat, VSMALL);
     }
 }
@@ -113,7 +104,7 @@ void Foam::dryLedger<D>::print() const
     contactReport::print(grains_.lastStep());
 
     Info<< "Grains    " << grains_.size() << ", removed "
-        << outlets_.number() << ", in all " << outlets_.totalNumber() << nl
+        << grains_.removed().number << ", in all " << grains_.allRemoved().number << nl
         << "Energy    kinetic " << kineticEnergy_ << " J, potential "
         << potentialEnergy_ << " J, contacts gave "
         << grains_.lastStep().contactWork << " J" << nl
@@ -122,7 +113,7 @@ void Foam::dryLedger<D>::print() const
     if (grains_.heat())
     {
         Info<< "Heat      " << heat_ << " J, walls gave " << wallHeat_
-            << " J, removed " << outlets_.heat() << " J, unaccounted for "
+            << " J, removed " << grains_.removed().heat << " J, unaccounted for "
             << heatError_ << nl;
     }
 
@@ -171,7 +162,7 @@ void Foam::dryLedger<D>::write()
     const char c = ',';
     file_()
         << grains_.mesh().time().value() << c << grains_.size()
-        << c << outlets_.number() << c << outlets_.mass()
+        << c << grains_.removed().number << c << grains_.removed().mass
         << c << kineticEnergy_ << c << potentialEnergy_
         << c << grains_.lastStep().contactWork
         << c << momentum_.x() << c << momentum_.y() << c << momentum_.z()
@@ -179,7 +170,7 @@ void Foam::dryLedger<D>::write()
         << c << momentumError_ << c;
     if (grains_.heat())
     {
-        file_() << heat_ << c << outlets_.heat() << c;
+        file_() << heat_ << c << grains_.removed().heat << c;
         for (const scalar heat : grains_.heat()->wallHeat())
         {
             file_() << heat << c;

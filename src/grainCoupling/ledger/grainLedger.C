@@ -23,7 +23,8 @@ Foam::grainLedger::grainLedger
     maxCourant_(0),
     momentumError_(0),
     divergence_(0),
-    volumeDefect_(0)
+    volumeDefect_(0),
+    grainMomentumError_(0)
 {
     setVolumes();
 
@@ -44,7 +45,7 @@ void Foam::grainLedger::setVolumes()
         grainVolume_ += V;
         mappedVolume_ += mapped;
 
-        if (grains_.isWithinBounds(i))
+        if (grains_.isWithinBounds(i) && !grains_.isAtOpening(i))
         {
             mappingError_ = max(mappingError_, mag(V - mapped)/V);
         }
@@ -64,6 +65,7 @@ void Foam::grainLedger::startStep(const surfaceScalarField& phiU)
 
     Info<< nl << "Time = " << runTime.timeName() << nl << endl;
 
+    before_ = grains_.motion().tally();
     oldEps_ = exchange_.eps().primitiveField();
     oldEpsf_.reset(new surfaceScalarField(fvc::interpolate(exchange_.eps())));
 }
@@ -85,22 +87,52 @@ void Foam::grainLedger::endStep
     (
        -deltaT*fvc::div(oldEpsf_()*phiU)().primitiveField()
     );
-    const scalar defect = gSum
-    (
-        mag
-        (
-            (exchange_.eps().primitiveField() - oldEps_ - inflow)
-           *mesh_.V().field()
-        )()
-    );
+    scalarField gained(exchange_.eps().primitiveField() - oldEps_ - inflow);
+    if (exchange_.filled().size())
+    {
+        gained -= exchange_.filled();
+    }
+    const scalar defect = gSum(mag(gained*mesh_.V().field())());
     volumeDefect_ = grainVolume_ > 0 ? defect/grainVolume_ : 0;
 
     const vector given = exchange_.momentumGiven();
     const vector received = exchange_.momentumReceived();
     momentumError_ = mag(given - received)/max(mag(received), VSMALL);
 
+    closeMomentum();
     print();
     write();
+}
+
+
+void Foam::grainLedger::closeMomentum()
+{
+    const grainMotion& motion = grains_.motion();
+    if (motion.isFixed())
+    {
+        return;
+    }
+    const vector change
+    (
+        motion.tally().momentum + motion.removed().momentum
+      - before_.momentum
+    );
+    const vector weight
+    (
+        before_.mass*mesh_.time().deltaTValue()*motion.g()
+    );
+    const vector fluid
+    (
+        exchange_.momentumReceived() + exchange_.impulseOutside()
+    );
+    const vector walls(motion.wallImpulse());
+    grainMomentumError_ =
+        mag(change - weight - fluid - walls)
+       /max
+        (
+            mag(before_.momentum) + mag(weight) + mag(fluid) + mag(walls),
+            VSMALL
+        );
 }
 
 

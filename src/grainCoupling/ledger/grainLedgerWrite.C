@@ -23,6 +23,13 @@ void Foam::grainLedger::print() const
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
+    const grainTally& removed = grains_.motion().removed();
+    if (removed.number)
+    {
+        Info<< "Outlets   removed " << removed.number << " grains, "
+            << removed.volume << " m^3, " << removed.momentum << " N s" << nl;
+    }
+
     const auto percent = [&](const scalar time)
     {
         return std::to_string(std::lround(100*time/progress_.elapsed()));
@@ -50,12 +57,17 @@ void Foam::grainLedger::write()
             "time,grainVolume,mappedVolume,mappingError,overfull,"
             "given_x,given_y,given_z,received_x,received_y,received_z,"
             "momentumError,divergence,volumeDefect," CONTACT_COLUMNS
-            ",motionTime,exchangeTime,elapsedTime"
+            ",grains,removed,removedVolume,removedMomentum_x,"
+            "removedMomentum_y,removedMomentum_z,outside_x,outside_y,outside_z,"
+            "grainMomentumError,motionTime,exchangeTime,elapsedTime"
         );
     }
 
     const vector& g = exchange_.momentumGiven();
     const vector& r = exchange_.momentumReceived();
+    const vector& o = exchange_.impulseOutside();
+    const grainTally& removed = grains_.motion().removed();
+    const vector& m = removed.momentum;
     const char c = ',';
 
     file_()
@@ -66,6 +78,9 @@ void Foam::grainLedger::write()
         << c << momentumError_ << c << divergence_ << c << volumeDefect_ << c;
     contactReport::write(file_(), grains_.motion().lastStep());
     file_()
+        << c << grains_.size() << c << removed.number << c << removed.volume
+        << c << m.x() << c << m.y() << c << m.z()
+        << c << o.x() << c << o.y() << c << o.z() << c << grainMomentumError_
         << c << grains_.motionTime() << c << exchange_.exchangeTime()
         << c << progress_.elapsed() << endl;
 }

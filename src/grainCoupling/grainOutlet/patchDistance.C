@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "patchDistance.H"
+
+#include "emptyPolyPatch.H"
+#include "Pstream.H"
+
+Foam::autoPtr<Foam::patchDistance::tree> Foam::patchDistance::treeOf
+(
+    const polyMesh& mesh,
+    const labelUList& faces
+)
+{
+    if (faces.empty())
+    {
+        return nullptr;
+    }
+    treeBoundBox box(mesh.points());
+    box.inflate(0.01);
+    return autoPtr<tree>::New
+    (
+        treeDataFace(false, mesh, faces), box, 8, scalar(10), scalar(3)
+    );
+}
+
+
+Foam::patchDistance::patchDistance
+(
+    const polyMesh& mesh,
+    const labelUList& patches
+)
+{
+    DynamicList<label> chosen, others;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!isA<emptyPolyPatch>(patch) && !patch.coupled())
+        {
+            DynamicList<label>& faces =
+                patches.found(patch.index()) ? chosen : others;
+            forAll(patch, i)
+            {
+                faces.append(patch.start() + i);
+            }
+        }
+    }
+    chosen_ = treeOf(mesh, chosen);
+    others_ = treeOf(mesh, others);
+}
+
+
+Foam::scalarField Foam::patchDistance::distances
+(
+    const autoPtr<tree>& faces,
+    const UList<point>& x
+)
+{
+    scalarField result(x.size(), GREAT);
+    if (faces)
+    {
+        forAll(x, i)
+        {
+            const pointIndexHit hit(faces->findNearest(x[i], sqr(GREAT)));
+            result[i] = mag(hit.rawPoint() - x[i]);
+        }
+    }
+    Pstream::listCombineGather(result, minEqOp<scalar>());
+    Pstream::listCombineScatter(result);
+    return result;
+}
+
+
+Foam::boolList Foam::patchDistance::arePatchesNearest
+(
+    const UList<point>& x
+) const
+{
+    // A point beyond the common edge of two patches is as far from both
+    constexpr scalar same = 1 + 1e-6;
+
+    const scalarField chosen(distances(chosen_, x));
+    const scalarField others(distances(others_, x));
+    boolList result(x.size());
+    forAll(result, i)
+    {
+        result[i] = chosen[i] <= same*others[i];
+    }
+    return result;
+}

@@ -1,0 +1,94 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainDynamics.H"
+
+template<int D>
+Foam::grainTally Foam::grainDynamics<D>::tally(const label i) const
+{
+    const scalar m = grains().mass[i];
+    grainTally result;
+    result.number = 1;
+    result.mass = m;
+    result.volume = m/properties_.materials().density(material(i));
+    result.momentum = m*velocity(i);
+    result.heat = heat_ ? heat_->heat(grains(), i) : 0;
+    return result;
+}
+
+
+template<int D>
+Foam::grainTally Foam::grainDynamics<D>::tally() const
+{
+    grainTally all;
+    for (label i = 0; i < size(); ++i)
+    {
+        all += tally(i);
+    }
+    return all;
+}
+
+
+template<int D>
+Foam::vector Foam::grainDynamics<D>::wallImpulse() const
+{
+    vector sum(Zero);
+    for (const nscd::Vector<D>& impulse : dynamics().contactImpulse())
+    {
+        sum += space().toSpace(impulse);
+    }
+    return sum;
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::discharge(const std::vector<bool>& gone)
+{
+    removed_ = grainTally();
+    for (label i = 0; i < size(); ++i)
+    {
+        if (gone[i])
+        {
+            removed_ += tally(i);
+            removed_.momentum -= space().toSpace(dynamics().contactImpulse()[i]);
+        }
+    }
+    if (removed_.number)
+    {
+        remove(gone);
+    }
+    outlets_.count(removed_, mesh().time());
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
+{
+    locate();
+    label kept = 0;
+    forAll(cell_, i)
+    {
+        if (!gone[i])
+        {
+            cell_[kept] = cell_[i];
+            if (fluidForce_.size())
+            {
+                fluidForce_[kept] = fluidForce_[i];
+            }
+            ++kept;
+        }
+    }
+    fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
+    dynamics_->remove(gone);
+    isLocated_ = false;
+}
+
+
+template Foam::grainTally Foam::grainDynamics<2>::tally() const;
+template Foam::grainTally Foam::grainDynamics<3>::tally() const;
+template Foam::vector Foam::grainDynamics<2>::wallImpulse() const;
+template Foam::vector Foam::grainDynamics<3>::wallImpulse() const;
+template void Foam::grainDynamics<2>::discharge(const std::vector<bool>&);
+template void Foam::grainDynamics<3>::discharge(const std::vector<bool>&);

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grains in a fluid that leave through outlets: without a trace in flow and books."""
+
+import numpy as np
+import pytest
+from grain_box import (
+    assert_same_grains,
+    control,
+    grain_box,
+    lattice,
+    ledger,
+    open_ends,
+    replace,
+    run_whole_and_parts,
+    tracks,
+)
+from sphere_box import decompose
+
+GRAINS = "constant/grainProperties"
+SPEED = 0.1
+OUTLETS = {
+    "patches": "type patches; patches (top);",
+    "beyond": "type beyond; point (0 0.09 0); normal (0 1 0);",
+    "box": "type box; box (0 0.05 0) (0.1 0.08 0.01);",
+}
+
+
+def append(case, text):
+    path = case.path / GRAINS
+    path.write_text(f"{path.read_text()}\n{text}\n")
+
+
+def channel(clone, centres, radius, outlet, velocity=(0, SPEED), name=None):
+    """Fluid that flows up at SPEED between frictionless walls, with an outlet of grains."""
+    velocities = np.tile(velocity, (len(centres), 1))
+    case = grain_box(clone, centres, radius, velocity=velocities, name=name)
+    open_ends(case, SPEED)
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {SPEED} 0)")
+    case.run("blockMesh")
+    append(case, f"outlets {{ top {{ {outlet} }} }}")
+    return case
+
+
+def largest_pressure(case):
+    """Of each time written [Pa]."""
+    return np.array([np.abs(case.field("p_rgh", time)).max() for time in case.times[1:]])
+
+
+@pytest.mark.parametrize("kind", OUTLETS)
+def test_resolved_grain_that_moves_with_the_fluid_leaves_no_trace(clone, kind):
+    """Nothing accelerates: no pressure, and all velocities stay what they are."""
+    case = channel(clone, [(0.05, 0.04)], 0.025, OUTLETS[kind])
+    control(case, endTime=0.9, deltaT=1e-2, writeInterval=90)
+    case.run("grainFoam")
+
+    book = ledger(case)
+    # A grain that has reached the mesh's end with its centre goes when all of it has
+    leaves = {"patches": 0.85, "beyond": 0.51, "box": 0.11}[kind]
+    assert book["time"][book["removed"] > 0] == pytest.approx(leaves, abs=0.0101)
+    assert book["removed"].sum() == 1
+    np.testing.assert_allclose(book["removedMomentum_y"].sum(), mass(0.025) * SPEED, rtol=1e-9)
+    np.testing.assert_allclose(tracks(case)[:, 6], SPEED, rtol=1e-9)
+    np.testing.assert_allclose(case.field("U")[:, 1], SPEED, rtol=1e-9)
+    assert largest_pressure(case)[-1] <= 1e-9 * 1000 * SPEED**2
+
+
+def mass(radius, density=2500):
+    return density * np.pi * radius**2 * 0.01
+
+
+# In cells of 10 mm
+@pytest.mark.parametrize("radius", [0.001, 0.004, 0.009])
+def test_small_grains_leave_no_more_of_a_trace_than_they_had(clone, radius):
+    """What the flow has of grains that cross its cells is no larger where they leave."""
+    centres = np.array([(0.031, 0.071), (0.05, 0.048), (0.072, 0.066)])
+    case = channel(clone, centres, radius, OUTLETS["patches"])
+    control(case, endTime=0.65, deltaT=1e-2, writeInterval=1)
+    case.run("grainFoam")
+
+    book = ledger(case)
+    assert book["removed"].sum() == 3
+    assert book["momentumError"].max() <= 1e-8
+    assert book["grainMomentumError"].max() <= 1e-12
+    assert book["divergence"].max() <= 1e-9
+    pressure = largest_pressure(case)
+    # The first one reaches the top a radius before its centre does
+    inside = book["time"] < (0.1 - radius - 0.071) / SPEED - 0.05
+    assert pressure[~inside].max() <= 1.25 * pressure[inside].max()
+    # No grain is left to move the fluid
+    assert pressure[-1] <= 0.1 * pressure[inside].max()
+
+
+def open_bottom(clone, centres, radius, name=None):
+    """The box with walls but for the bottom, where fluid goes in and out and grains go out."""
+    case = grain_box(clone, centres, radius, name=name)
+    bottom = "bottom\n    {\n        type    "
+    replace(case, "system/blockMeshDict", f"{bottom}wall", f"{bottom}patch")
+    walls, others = '"left|right|bottom|top"', '"left|right|top"'
+    replace(case, "0/U", walls, f"bottom {{ type zeroGradient; }}\n    {others}")
+    pressure = "bottom { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", walls, f"{pressure}\n    {others}")
+    replace(case, GRAINS, "(left right bottom top)", "(left right top)")
+    append(case, "outlets { hole { type patches; patches (bottom); } }")
+    case.run("blockMesh")
+    return case
+
+
+def test_grain_keeps_its_settling_speed_while_it_leaves(clone):
+    """What is outside weighs, and feels the fluid as what is inside does."""
+    case = open_bottom(clone, [(0.047, 0.02)], 0.002)
+    replace(case, GRAINS, "glass   { density 2500; }", "glass   { density 1050; }")
+    control(case, endTime=2.5, deltaT=1e-2, writeInterval=250)
+    case.run("grainFoam")
+
+    book = ledger(case)
+    assert book["removed"].sum() == 1
+    assert book["grainMomentumError"].max() <= 1e-12
+    moves = tracks(case)
+    y, v = moves[:, 3], moves[:, 6]
+    settled = v[(y > 0.002) & (y < 0.003)].mean()
+    leaving = v[y < 0.002]
+    assert len(leaving) >= 10
+    # Without a fluid outside, its weight would have added this
+    assert abs(settled) <= 0.2 * (1 - 1000 / 1050) * 9.81 * 1e-2 * len(leaving)
+    np.testing.assert_allclose(leaving, settled, rtol=0.05)
+
+
+def falling_out(clone, name):
+    """Grains of three sizes that fall on each other and out at the bottom."""
+    centres = lattice(4, 4, 0.021, (0.02, 0.015))
+    case = open_bottom(clone, centres, np.resize([0.002, 0.005, 0.008], 16), name=name)
+    control(case, endTime=0.4, deltaT=2e-3, writeInterval=50)
+    return case
+
+
+def test_outlet_after_a_restart_and_on_two_ranks(clone):
+    whole, parts, ranks = (falling_out(clone, name) for name in ("a", "b", "c"))
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.2, end=0.4)
+    assert_same_grains(whole, parts)
+    book = ledger(whole)
+    assert book["removed"].sum() >= 8
+    assert book["grains"][-1] == 16 - book["removed"].sum()
+    assert book["grainMomentumError"].max() <= 1e-10
+    assert book["divergence"].max() <= 1e-8
+    np.testing.assert_array_equal(book["removed"], ledger(parts)["removed"])
+    discharge = whole.table("postProcessing/discharge/0/discharge.dat")
+    np.testing.assert_array_equal(book["removed"], discharge["removed"])
+
+    decompose(ranks, 2)
+    ranks.parallel("grainFoam", 2)
+    np.testing.assert_array_equal(book["removed"], ledger(ranks)["removed"])
+    assert ranks.grains()["position"] == pytest.approx(whole.grains()["position"], abs=1e-7)

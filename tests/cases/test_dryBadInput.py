@@ -52,6 +52,31 @@ def heat(text, thermal="conductivity 1; heatCapacity 1; youngsModulus 1e9;"):
     return spoil
 
 
+BOX = "type box; box (0 0 0) (0.1 0.1 0.01);"
+
+
+def injection(text):
+    usual = "material glass; numberRate 1; distribution { type constant; radius 1e-3; }"
+    return section("injections", f"{usual} {text}")
+
+
+def inlet(text):
+    """The same with walls at the sides and the top only."""
+
+    def spoil(case):
+        replace(case, GRAINS, "(left right bottom top)", "(right top)")
+        injection(text)(case)
+
+    return spoil
+
+
+def heat_and_injection(case):
+    heat("")(case)
+    csv = "    material    glass;\n"
+    replace(case, GRAINS, f"{csv}}}", f"{csv}    temperature 300;\n}}")
+    injection(BOX)(case)
+
+
 MOTIONS = ["free", "oscillation", "rotation", "table", "translation"]
 
 # name, how the good case is spoilt, what the message holds besides the file
@@ -83,6 +108,63 @@ TABLE = [
     ("outletPatch", section("outlets", "type patches; patches (lid);"), ["'patches'", "lid"]),
     ("outletBox", section("outlets", "type box; box (0 0 0) (0 1 0);"), ["'box'", "two corners"]),
     ("outletKey", section("outlets", "type patches; patches (top); x 1;"), ["outlets", "'x'"]),
+    ("injectionType", injection("type hole;"), ["'type'", "hole", "box patches"]),
+    ("injectionKey", injection(f"{BOX} x 1;"), ["injections", "'x'", "numberRate"]),
+    ("injectionMaterial", injection(f"{BOX} material wood;"), ["'material'", "wood", "glass"]),
+    ("injectionRate", injection(f"{BOX} numberRate -1;"), ["'numberRate'", "-1", "rates >= 0"]),
+    (
+        "injectionRates",
+        injection(f"{BOX} massRate 1;"),
+        ["'numberRate'", "beside massRate", "one of massRate, volumeRate and numberRate"],
+    ),
+    (
+        "injectionFunction",
+        injection(f"{BOX} numberRate table ((0 1) (2 1) (1 3));"),
+        ["'numberRate'", "functions of time"],
+    ),
+    ("injectionEnd", injection(f"{BOX} start 2; end 1;"), ["'end'", "1", "2"]),
+    ("injectionTotal", injection(f"{BOX} total -1;"), ["'total'", "-1", "a value >= 0"]),
+    (
+        "injectionVelocity",
+        injection(f"{BOX} velocity (0 0 1);"),
+        ["'velocity'", "(0 0 1)", "plane"],
+    ),
+    (
+        "injectionBox",
+        injection("type box; box (0 0 0) (0.1 1e-3 0.01);"),
+        ["'box'", "0.001 m", "largest grain, of radius 0.001 m"],
+    ),
+    (
+        "injectionOutside",
+        injection("type box; box (0.2 0.2 0) (0.3 0.3 0.01);"),
+        ["'box'", "outside the mesh", "in the mesh"],
+    ),
+    (
+        "injectionWall",
+        injection("type patches; patches (bottom); velocity (0 1 0);"),
+        ["'patches'", "bottom", "'walls'"],
+    ),
+    (
+        "injectionDirection",
+        inlet("type patches; patches (bottom); velocity (0 -1 0);"),
+        ["'velocity'", "(0 -1 0)", "along (0 1 0)"],
+    ),
+    (
+        "injectionWithoutVelocity",
+        inlet("type patches; patches (bottom);"),
+        ["'velocity'", "none", "into the mesh"],
+    ),
+    (
+        "injectionPlane",
+        inlet("type patches; patches (bottom left); velocity (0 1 0);"),
+        ["'patches'", "several directions", "one plane"],
+    ),
+    (
+        "injectionWidth",
+        inlet("type patches; patches (bottom); velocity (0 1 0); distribution { radius 0.06; }"),
+        ["'patches'", "0.0", "wide enough", "radius 0.06 m"],
+    ),
+    ("injectionOfColdGrains", heat_and_injection, ["'temperature'", "none", "'heat'"]),
     ("heatOfColdGrains", heat(""), ["'temperature'", "grain 0", "value 0", "a value > 0"]),
     ("conductance", heat("conductance spheres;"), ["'conductance'", "spheres", "spot squarePatch"]),
     ("heatKey", heat("x 1;"), ["heat", "'x'", "conductance"]),

@@ -36,8 +36,11 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.loop())
+    while (runTime.run())
     {
+        grains.inject(nullptr);
+        ++runTime;
+
         ledger.startStep();
 
         grains.move(runTime.deltaTValue());

@@ -55,6 +55,7 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
+        exchange.inject(U);
         timeStep.set(phiU);
         ++runTime;
 

@@ -15,6 +15,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     grainMotion(mesh),
     properties_(mesh, g),
     outlets_(properties_),
+    injections_(properties_),
     openings_(outlets_.openings())
 {
     const bool restart = isFile(stateFile(), false);
@@ -68,6 +69,18 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     if (heat_)
     {
         heat_->check(grains());
+    }
+
+    openings_.append(injections_.openings());
+    injections_.check
+    (
+        heat_.get(),
+        std::set<label>(grains().material.begin(), grains().material.end())
+    );
+    injections_.startAfter(grains());
+    if (restart)
+    {
+        injections_.load(injectionsFile());
     }
 }
 

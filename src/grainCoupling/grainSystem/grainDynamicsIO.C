@@ -63,6 +63,7 @@ template<int D>
 void Foam::grainDynamics<D>::beginWrite() const
 {
     save(".incomplete");
+    injections_.save(injectionsFile());
 }
 
 
@@ -105,7 +106,8 @@ void Foam::grainDynamics<D>::purge() const
         (
             !isDir(runTime.path()/time.name())
          && isFile(timeDir/"grains.h5", false)
-         && readDir(timeDir, fileName::FILE).size() == 1
+         && readDir(timeDir, fileName::FILE).size()
+         == (isFile(timeDir/"injections", false) ? 2 : 1)
          && readDir(timeDir, fileName::DIRECTORY).empty()
         )
         {

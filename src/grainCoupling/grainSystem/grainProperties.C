@@ -69,7 +69,7 @@ void Foam::grainProperties<D>::check() const
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
             "initialGrains", "allowedOverlap", "contact", "coupling",
-            "outlets", "shapes", "heat"
+            "outlets", "injections", "shapes", "heat"
         }
     );
     if (dict_.found("coupling"))

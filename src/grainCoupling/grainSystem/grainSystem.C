@@ -94,6 +94,18 @@ void Foam::grainSystem::findAtOpenings()
 }
 
 
+bool Foam::grainSystem::inject(const volVectorField& U)
+{
+    motion_->inject(&U);
+    const bool isMore = motion_->injected().number;
+    if (isMore)
+    {
+        map();
+    }
+    return isMore;
+}
+
+
 std::vector<bool> Foam::grainSystem::leaving() const
 {
     std::vector<bool> gone(motion_->leaving());

@@ -5,6 +5,8 @@
 
 #include "grainDynamics.H"
 
+#include "volFields.H"
+
 template<int D>
 Foam::grainTally Foam::grainDynamics<D>::tally(const label i) const
 {
@@ -40,6 +42,73 @@ Foam::vector Foam::grainDynamics<D>::wallImpulse() const
         sum += space().toSpace(impulse);
     }
     return sum;
+}
+
+
+template<int D>
+typename Foam::grainInjection<D>::surroundings Foam::grainDynamics<D>::at
+(
+    const nscd::Vector<D>& x,
+    const volVectorField* U
+) const
+{
+    const label celli = space().findCell(properties_.wrapped(x));
+    vector velocity(Zero);
+    if (celli >= 0 && U)
+    {
+        velocity = U->primitiveField()[celli];
+    }
+
+    // A point on a face can be in two cells of two ranks
+    label nCells = celli >= 0;
+    reduce(nCells, sumOp<label>());
+    reduce(velocity, sumOp<vector>());
+    return {nCells > 0, velocity/max(nCells, 1)};
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::inject(const volVectorField* U)
+{
+    injected_ = grainTally();
+    if (injections_.empty())
+    {
+        return;
+    }
+    const nscd::Grains<D> more
+    (
+        injections_.due
+        (
+            mesh().time().value(),
+            dynamics(),
+            U,
+            [&](const nscd::Vector<D>& x) { return at(x, U); }
+        )
+    );
+    if (more.size() == 0)
+    {
+        return;
+    }
+    const label before = size();
+    try
+    {
+        dynamics_->add(more);
+    }
+    catch (const std::exception& err)
+    {
+        FatalIOErrorInFunction(properties_.dict())
+            << "Keyword 'injections': " << err.what() << exit(FatalIOError);
+    }
+    for (label i = before; i < size(); ++i)
+    {
+        injected_ += tally(i);
+    }
+    isLocated_ = false;
+    cell_.resize(size(), label(-1));
+    if (fluidForce_.size())
+    {
+        fluidForce_.resize(size(), Zero);
+    }
 }
 
 
@@ -90,5 +159,7 @@ template Foam::grainTally Foam::grainDynamics<2>::tally() const;
 template Foam::grainTally Foam::grainDynamics<3>::tally() const;
 template Foam::vector Foam::grainDynamics<2>::wallImpulse() const;
 template Foam::vector Foam::grainDynamics<3>::wallImpulse() const;
+template void Foam::grainDynamics<2>::inject(const volVectorField*);
+template void Foam::grainDynamics<3>::inject(const volVectorField*);
 template void Foam::grainDynamics<2>::discharge(const std::vector<bool>&);
 template void Foam::grainDynamics<3>::discharge(const std::vector<bool>&);

@@ -60,9 +60,10 @@ void Foam::dryLedger<D>::startStep()
 template<int D>
 void Foam::dryLedger<D>::endStep()
 {
-    const scalar oldMass = mass_;
-    const vector oldMomentum(momentum_);
-    const scalar oldHeat = heat_;
+    const grainTally& injected = grains_.injected();
+    const scalar oldMass = mass_ + injected.mass;
+    const vector oldMomentum(momentum_ + injected.momentum);
+    const scalar oldHeat = heat_ + injected.heat;
     measure();
 
     impulse_ = grains_.wallImpulse();
@@ -103,7 +104,8 @@ void Foam::dryLedger<D>::print() const
 {
     contactReport::print(grains_.lastStep());
 
-    Info<< "Grains    " << grains_.size() << ", removed "
+    Info<< "Grains    " << grains_.size() << ", injected "
+        << grains_.injected().number << ", removed "
         << grains_.removed().number << ", in all " << grains_.allRemoved().number << nl
         << "Energy    kinetic " << kineticEnergy_ << " J, potential "
         << potentialEnergy_ << " J, contacts gave "
@@ -126,13 +128,13 @@ Foam::string Foam::dryLedger<D>::columns() const
 {
     string names
     (
-        "time,grains,removed,removedMass,kineticEnergy,potentialEnergy,"
+        "time,grains,injected,injectedMass,removed,removedMass,kineticEnergy,potentialEnergy,"
         "contactWork,momentum_x,momentum_y,momentum_z,impulse_x,impulse_y,"
         "impulse_z,momentumError,"
     );
     if (grains_.heat())
     {
-        names += "heat,removedHeat,";
+        names += "heat,injectedHeat,removedHeat,";
         for (const word& wall : grains_.heat()->walls())
         {
             names += "heatFrom_" + wall + ',';
@@ -162,6 +164,7 @@ void Foam::dryLedger<D>::write()
     const char c = ',';
     file_()
         << grains_.mesh().time().value() << c << grains_.size()
+        << c << grains_.injected().number << c << grains_.injected().mass
         << c << grains_.removed().number << c << grains_.removed().mass
         << c << kineticEnergy_ << c << potentialEnergy_
         << c << grains_.lastStep().contactWork
@@ -170,7 +173,7 @@ void Foam::dryLedger<D>::write()
         << c << momentumError_ << c;
     if (grains_.heat())
     {
-        file_() << heat_ << c << grains_.removed().heat << c;
+        file_() << heat_ << c << grains_.injected().heat << c << grains_.removed().heat << c;
         for (const scalar heat : grains_.heat()->wallHeat())
         {
             file_() << heat << c;

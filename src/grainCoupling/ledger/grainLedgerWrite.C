@@ -23,6 +23,12 @@ void Foam::grainLedger::print() const
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
+    const grainTally& injected = grains_.motion().injected();
+    if (injected.number)
+    {
+        Info<< "Inlets    injected " << injected.number << " grains, "
+            << injected.volume << " m^3, " << injected.momentum << " N s" << nl;
+    }
     const grainTally& removed = grains_.motion().removed();
     if (removed.number)
     {
@@ -57,8 +63,10 @@ void Foam::grainLedger::write()
             "time,grainVolume,mappedVolume,mappingError,overfull,"
             "given_x,given_y,given_z,received_x,received_y,received_z,"
             "momentumError,divergence,volumeDefect," CONTACT_COLUMNS
-            ",grains,removed,removedVolume,removedMomentum_x,"
-            "removedMomentum_y,removedMomentum_z,outside_x,outside_y,outside_z,"
+            ",grains,injected,injectedVolume,injectedMomentum_x,"
+            "injectedMomentum_y,injectedMomentum_z,removed,removedVolume,"
+            "removedMomentum_x,removedMomentum_y,removedMomentum_z,"
+            "outside_x,outside_y,outside_z,"
             "grainMomentumError,motionTime,exchangeTime,elapsedTime"
         );
     }
@@ -66,6 +74,8 @@ void Foam::grainLedger::write()
     const vector& g = exchange_.momentumGiven();
     const vector& r = exchange_.momentumReceived();
     const vector& o = exchange_.impulseOutside();
+    const grainTally& injected = grains_.motion().injected();
+    const vector& i = injected.momentum;
     const grainTally& removed = grains_.motion().removed();
     const vector& m = removed.momentum;
     const char c = ',';
@@ -78,7 +88,8 @@ void Foam::grainLedger::write()
         << c << momentumError_ << c << divergence_ << c << volumeDefect_ << c;
     contactReport::write(file_(), grains_.motion().lastStep());
     file_()
-        << c << grains_.size() << c << removed.number << c << removed.volume
+        << c << grains_.size() << c << injected.number << c << injected.volume
+        << c << i.x() << c << i.y() << c << i.z() << c << removed.number << c << removed.volume
         << c << m.x() << c << m.y() << c << m.z()
         << c << o.x() << c << o.y() << c << o.z() << c << grainMomentumError_
         << c << grains_.motionTime() << c << exchange_.exchangeTime()

@@ -6,9 +6,14 @@
 #include "grainOutlets.H"
 
 #include "dictionaryInput.H"
+#include "patchesOutlet.H"
 
 template<int D>
-Foam::grainOutlets<D>::grainOutlets(const grainProperties<D>& properties)
+Foam::grainOutlets<D>::grainOutlets
+(
+    const grainProperties<D>& properties,
+    const labelList& inlets
+)
 :
     progress_(properties.space().mesh().time())
 {
@@ -27,6 +32,16 @@ Foam::grainOutlets<D>::grainOutlets(const grainProperties<D>& properties)
                 )
             );
         }
+    }
+    if (inlets.size())
+    {
+        outlets_.append
+        (
+            autoPtr<grainOutlet<D>>
+            (
+                new grainOutletTypes::patches<D>(inlets, properties.space())
+            )
+        );
     }
 }
 

@@ -26,6 +26,19 @@ Foam::grainOutletTypes::patches<D>::patches
 
 
 template<int D>
+Foam::grainOutletTypes::patches<D>::patches
+(
+    const labelList& patches,
+    const grainSpace<D>& space
+)
+:
+    space_(space),
+    patches_(patches),
+    distance_(space.mesh(), patches_)
+{}
+
+
+template<int D>
 void Foam::grainOutletTypes::patches<D>::mark
 (
     const nscd::Vectors<D>& centres,
@@ -49,3 +62,7 @@ void Foam::grainOutletTypes::patches<D>::mark
         gone[out[k]] = gone[out[k]] || passed[k];
     }
 }
+
+
+template class Foam::grainOutletTypes::patches<2>;
+template class Foam::grainOutletTypes::patches<3>;

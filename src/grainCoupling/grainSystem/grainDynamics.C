@@ -14,8 +14,8 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
 :
     grainMotion(mesh),
     properties_(mesh, g),
-    outlets_(properties_),
     injections_(properties_),
+    outlets_(properties_, injections_.openings()),
     openings_(outlets_.openings())
 {
     const bool restart = isFile(stateFile(), false);
@@ -71,7 +71,6 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
         heat_->check(grains());
     }
 
-    openings_.append(injections_.openings());
     injections_.check
     (
         heat_.get(),

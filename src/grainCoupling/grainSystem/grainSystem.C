@@ -167,7 +167,8 @@ void Foam::grainSystem::checkLost() const
                 << "Grain " << motion_->id(i) << " at "
                 << centres()[i] << " with velocity " << motion_->velocity(i)
                 << " has left the mesh at time " << mesh().time().timeName()
-                << nl << "    there is a gap in the walls, or the time step"
+                << nl << "    there is a gap in the walls, no outlet where it"
+                << " left, or the time step"
                 << " is too large for the contact solver (worst overlap "
                 << motion_->lastStep().worstOverlap << " m)"
                 << exit(FatalError);

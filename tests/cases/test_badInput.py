@@ -212,7 +212,7 @@ TABLE = [
     (
         "wallType",
         swap(GRAINS, "type        patches", "type        cube"),
-        [GRAINS, "'type'", "cube", "patches, surface"],
+        [GRAINS, "'type'", "cube", "patches surface plane"],
     ),
     (
         "noLaw",
@@ -249,7 +249,7 @@ TABLE = [
     (
         "form",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ form C;"),
-        [GRAINS, "'form'", "value C", "A, B"],
+        [GRAINS, "'form'", "value C", "A B"],
     ),
     (
         "motion",
@@ -269,7 +269,37 @@ TABLE = [
     (
         "resolvedGrains",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type forced; }"),
-        [GRAINS, "'type'", "value forced", "locked, none"],
+        [GRAINS, "'type'", "value forced", "locked none"],
+    ),
+    (
+        "noTypeOfResolvedGrains",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { from 5; }"),
+        [GRAINS, "resolvedGrains", "'type' is missing", "locked none"],
+    ),
+    (
+        "resolvedByCentroids",
+        both(
+            swap(GRAINS, "exactOverlap", "centroid"),
+            swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type locked; }"),
+        ),
+        [GRAINS, "'type'", "value locked", "none, with the chosen type of voidFraction"],
+    ),
+    (
+        "undisturbedWidth",
+        both(
+            swap(GRAINS, "exactOverlap;", "diffused; length 0.02;"),
+            swap(
+                GRAINS,
+                "\ncoupling\n{",
+                "\ncoupling\n{ undisturbedFlow { type none; width 100; }",
+            ),
+        ),
+        [GRAINS, "'width'", "value 100", "1 to 20"],
+    ),
+    (
+        "noTypeOfDrag",
+        drop(GRAINS, "type    DallavalleDiFelice;"),
+        [GRAINS, "drag", "'type' is missing", "Rong"],
     ),
     (
         "resolvedFrom",

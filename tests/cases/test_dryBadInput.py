@@ -86,7 +86,7 @@ TABLE = [
     ("restitution", law("restitution 2;"), ["'restitution'", "value 2", "from 0 to 1"]),
     ("rolling", law("rolling -1;"), ["'rolling'", "-1", ">= 0"]),
     ("cohesionOfCoulomb", law("cohesion 1;"), ["'cohesion'", "friction"]),
-    ("wallType", wall("type cube;"), ["'type'", "cube", "patches, surface, plane"]),
+    ("wallType", wall("type cube;"), ["'type'", "cube", "patches surface plane"]),
     ("planeNormal", wall("type plane; point (0 0 0); normal (0 0 1);"), ["'normal'", "(0 0 1)"]),
     ("planeKey", wall("type plane; point (0 0 0); normal (0 1 0); x 1;"), ["other", "'x'"]),
     ("surface", wall('type surface; file "no.stl";'), ["'file'", "no.stl", "exists"]),

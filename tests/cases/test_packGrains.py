@@ -198,7 +198,7 @@ BAD = [
     (
         "by",
         DENSE.replace(UNIFORM, "distribution { type sieve; by size; passing ((1 0) (2 1)); }"),
-        ["'by'", "size", "number or mass"],
+        ["'by'", "size", "mass number"],
     ),
     ("tooFull", FILL.replace("150", "1500"), ["packGrainsDict", "number"]),
     ("radius", f"type lattice; {BOX} radius 0; material glass;", ["'radius'", "> 0"]),

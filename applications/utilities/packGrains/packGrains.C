@@ -47,16 +47,18 @@ std::vector<std::size_t> order
     const dictionary& dict
 )
 {
-    const word name(dict.getOrDefault<word>("order", "asMade"));
+    const word name
+    (
+        dictionaryInput::getWordOrDefault
+        (
+            dict, "order", "asMade", {"asMade", "spatial"}
+        )
+    );
     if (name == "spatial")
     {
         const scalar largest =
             *std::max_element(grains.radius.begin(), grains.radius.end());
         return nscd::spatialOrder<D>(grains.position, 8*largest);
-    }
-    if (name != "asMade")
-    {
-        dictionaryInput::badValue(dict, "order", name, "asMade, spatial");
     }
     std::vector<std::size_t> result(grains.size());
     std::iota(result.begin(), result.end(), std::size_t(0));

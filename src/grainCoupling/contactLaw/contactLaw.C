@@ -18,6 +18,6 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "contact law"
+        *dictionaryConstructorTablePtr_, dict
     )(dict);
 }

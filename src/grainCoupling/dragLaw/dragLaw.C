@@ -18,6 +18,6 @@ Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New(const dictionary& dict)
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "drag law"
+        *dictionaryConstructorTablePtr_, dict
     )(dict);
 }

@@ -27,12 +27,8 @@ Foam::grainFluidExchange::zeroField
 
 bool Foam::grainFluidExchange::readForm(const dictionary& dict)
 {
-    const word form(dict.getOrDefault<word>("form", "A"));
-    if (form != "A" && form != "B")
-    {
-        dictionaryInput::badValue(dict, "form", form, "A, B");
-    }
-    return form == "A";
+    return
+        dictionaryInput::getWordOrDefault(dict, "form", "A", {"A", "B"}) == "A";
 }
 
 

@@ -6,42 +6,7 @@
 #include "resolvedGrains.H"
 
 #include "cellSizes.H"
-#include "dictionaryInput.H"
-
-Foam::scalar Foam::resolvedGrains::readFrom() const
-{
-    constexpr scalar defaultFrom = 4;
-
-    if (!grains_.voidFraction().resolves())
-    {
-        return GREAT;
-    }
-    const dictionary& coupling = grains_.motion().coupling();
-    if (!coupling.found("resolvedGrains"))
-    {
-        return defaultFrom;
-    }
-    const dictionary dict
-    (
-        dictionaryInput::subDict(coupling, "resolvedGrains")
-    );
-    dictionaryInput::checkKeywords(dict, {"type", "from"});
-
-    const word type(dict.get<word>("type"));
-    if (type == "none")
-    {
-        return GREAT;
-    }
-    if (type != "locked")
-    {
-        dictionaryInput::badValue(dict, "type", type, "locked, none");
-    }
-    return dictionaryInput::getScalarOrDefault
-    (
-        dict, "from", dimless, defaultFrom, 2, 100
-    );
-}
-
+#include "couplingOption.H"
 
 Foam::resolvedGrains::resolvedGrains
 (
@@ -54,7 +19,14 @@ Foam::resolvedGrains::resolvedGrains
     mesh_(grains.mesh()),
     rho_(rho),
     mu_(mu),
-    from_(readFrom()),
+    from_
+    (
+        couplingOption
+        (
+            grains.motion().coupling(), "resolvedGrains", "locked",
+            {"from", 4, 2, 100}, grains.voidFraction().resolves()
+        ).value_or(GREAT)
+    ),
     cellSize_(cellSizes(mesh_)),
     smallestCell_(gMin(cellSize_)),
     isActive_(false),

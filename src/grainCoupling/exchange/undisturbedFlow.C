@@ -6,38 +6,8 @@
 #include "undisturbedFlow.H"
 
 #include "cellSizes.H"
-#include "dictionaryInput.H"
+#include "couplingOption.H"
 #include "implicitDiffusion.H"
-
-Foam::scalar Foam::undisturbedFlow::readWidth(const dictionary& coupling)
-{
-    constexpr scalar defaultWidth = 4;
-
-    if (!coupling.found("undisturbedFlow"))
-    {
-        return defaultWidth;
-    }
-    const dictionary dict
-    (
-        dictionaryInput::subDict(coupling, "undisturbedFlow")
-    );
-    dictionaryInput::checkKeywords(dict, {"type", "width"});
-
-    const word type(dict.get<word>("type"));
-    if (type == "none")
-    {
-        return 0;
-    }
-    if (type != "filtered")
-    {
-        dictionaryInput::badValue(dict, "type", type, "filtered, none");
-    }
-    return dictionaryInput::getScalarOrDefault
-    (
-        dict, "width", dimless, defaultWidth, 1, 20
-    );
-}
-
 
 Foam::undisturbedFlow::undisturbedFlow
 (
@@ -48,8 +18,11 @@ Foam::undisturbedFlow::undisturbedFlow
     mesh_(grains.mesh()),
     width_
     (
-        grains.voidFraction().smooths()
-      ? 0 : readWidth(grains.motion().coupling())
+        couplingOption
+        (
+            grains.motion().coupling(), "undisturbedFlow", "filtered",
+            {"width", 4, 1, 20}, !grains.voidFraction().smooths()
+        ).value_or(0)
     ),
     gradientOnGrains_(gradientOnGrains),
     cellSize_(cellSizes(mesh_)),

@@ -6,8 +6,7 @@
 #include "grainHeat.H"
 
 #include "dictionaryInput.H"
-
-#include <map>
+#include "HashTable.H"
 
 namespace
 {
@@ -24,36 +23,25 @@ nscd::ConductanceLaw law(const dictionary& dict)
     dictionaryInput::checkKeywords(dict, {"conductance"});
 
     namespace laws = nscd::conductance;
-    const std::map<word, nscd::ConductanceLaw> known
+    const HashTable<nscd::ConductanceLaw> known
     (
         D == 2
-      ? std::map<word, nscd::ConductanceLaw>
+      ? HashTable<nscd::ConductanceLaw>
         {
             {"rowOfSpheres", laws::rowOfSpheres},
             {"spot", laws::spot},
             {"squarePatch", laws::squarePatch},
             {"strip", laws::strip}
         }
-      : std::map<word, nscd::ConductanceLaw>{{"spheres", laws::spheres}}
+      : HashTable<nscd::ConductanceLaw>{{"spheres", laws::spheres}}
     );
-    const word name
-    (
-        dict.getOrDefault<word>("conductance", D == 2 ? "strip" : "spheres")
-    );
-    const auto iter = known.find(name);
-    if (iter == known.end())
-    {
-        wordList names;
-        for (const auto& entry : known)
-        {
-            names.append(entry.first);
-        }
-        dictionaryInput::badValue
+    return known
+    [
+        dictionaryInput::getWordOrDefault
         (
-            dict, "conductance", name, dictionaryInput::listed(names)
-        );
-    }
-    return iter->second;
+            dict, "conductance", D == 2 ? "strip" : "spheres", known.sortedToc()
+        )
+    ];
 }
 
 }

@@ -26,7 +26,7 @@ Foam::autoPtr<Foam::grainInjection<D>> Foam::grainInjection<D>::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "injection of grains"
+        *dictionaryConstructorTablePtr_, dict
     )(dict, properties);
 }
 

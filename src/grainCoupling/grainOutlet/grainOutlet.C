@@ -22,7 +22,7 @@ Foam::autoPtr<Foam::grainOutlet<D>> Foam::grainOutlet<D>::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "outlet of grains"
+        *dictionaryConstructorTablePtr_, dict
     )(dict, space);
 }
 

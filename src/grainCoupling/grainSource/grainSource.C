@@ -42,7 +42,7 @@ Foam::autoPtr<Foam::grainSource<D>> Foam::grainSource<D>::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "source of grains"
+        *dictionaryConstructorTablePtr_, dict
     )(dict, ctx);
 }
 

@@ -22,7 +22,13 @@ Foam::grainWalls<D>::grainWalls
     for (const word& name : dict.toc())
     {
         const dictionary& wall = dictionaryInput::subDict(dict, name);
-        const word type(wall.get<word>("type"));
+        const word type
+        (
+            dictionaryInput::getWord
+            (
+                wall, "type", {"patches", "surface", "plane"}
+            )
+        );
         const int material = kind(wall, materials);
 
         int body = -1;
@@ -65,20 +71,13 @@ Foam::grainWalls<D>::grainWalls
             );
             own = wallPieces::ofPatches(wall, space);
         }
-        else if (type == "surface")
+        else
         {
             dictionaryInput::checkKeywords
             (
                 wall, {"type", "file", "material", "motion", "temperature"}
             );
             own = wallPieces::ofSurface(wall, space);
-        }
-        else
-        {
-            dictionaryInput::badValue
-            (
-                wall, "type", type, "patches, surface, plane"
-            );
         }
         for (wallPiece<D>& piece : own)
         {

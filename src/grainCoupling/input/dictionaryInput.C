@@ -19,12 +19,7 @@ scalar readChecked
     const dimensionSet& dims
 )
 {
-    OStringStream text;
-    for (const token& t : static_cast<const tokenList&>(dict.lookup(keyword)))
-    {
-        text<< t << ' ';
-    }
-
+    const string text(dictionaryInput::written(dict, keyword));
     scalar value = 0;
     string message;
 
@@ -44,7 +39,7 @@ scalar readChecked
     {
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "' has the value "
-            << text.str().c_str() << nl << "    " << message.c_str() << nl
+            << text.c_str() << nl << "    " << message.c_str() << nl
             << "    allowed: a number with the dimensions " << dims
             << " or without any" << exit(FatalIOError);
     }
@@ -116,23 +111,23 @@ const Foam::dictionary& Foam::dictionaryInput::subDict
     const word& keyword
 )
 {
-    if (dict.found(keyword) && !dict.isDict(keyword))
+    const dictionary* subPtr = dict.findDict(keyword);
+    if (!subPtr && dict.found(keyword))
     {
-        OStringStream value;
-        value << token(dict.lookup(keyword));
         badValue
         (
-            dict, keyword, value.str(), "a dictionary, " + keyword + " { ... }"
+            dict, keyword, written(dict, keyword),
+            "a dictionary, " + keyword + " { ... }"
         );
     }
-    if (!dict.isDict(keyword))
+    if (!subPtr)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword
             << "' is missing; a sub-dictionary of this name is required"
             << exit(FatalIOError);
     }
-    return dict.subDict(keyword);
+    return *subPtr;
 }
 
 

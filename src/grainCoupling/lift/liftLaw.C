@@ -19,7 +19,7 @@ Foam::autoPtr<Foam::liftLaw> Foam::liftLaw::New(const dictionary& dict)
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "lift law"
+        *dictionaryConstructorTablePtr_, dict
     )(dict);
 }
 

@@ -23,13 +23,10 @@ Foam::sizeDistributions::sieve::sieve(const dictionary& dict)
 {
     dictionaryInput::checkKeywords(dict, {"type", "by", "passing"});
 
-    const word by(dict.get<word>("by"));
-    if (by != "number" && by != "mass")
-    {
-        dictionaryInput::badValue(dict, "by", by, "number or mass");
-    }
     curve_ =
-        by == "mass" ? nscd::SieveCurve::byMass : nscd::SieveCurve::byNumber;
+        dictionaryInput::getWord(dict, "by", {"mass", "number"}) == "mass"
+      ? nscd::SieveCurve::byMass
+      : nscd::SieveCurve::byNumber;
 
     for (const auto& entry : dict.get<List<Tuple2<scalar, scalar>>>("passing"))
     {

@@ -22,7 +22,7 @@ Foam::autoPtr<Foam::sizeDistribution> Foam::sizeDistribution::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "distribution of sizes"
+        *dictionaryConstructorTablePtr_, dict
     )(dict);
 }
 

@@ -31,7 +31,7 @@ Foam::autoPtr<Foam::effectiveViscosity> Foam::effectiveViscosity::New
 
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "effective viscosity"
+        *dictionaryConstructorTablePtr_, dict
     )(dict);
 }
 

@@ -22,7 +22,7 @@ Foam::autoPtr<Foam::voidFractionMethod> Foam::voidFractionMethod::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "void-fraction method"
+        *dictionaryConstructorTablePtr_, dict
     )(dict, cells);
 }
 

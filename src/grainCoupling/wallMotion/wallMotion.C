@@ -22,7 +22,7 @@ Foam::autoPtr<Foam::wallMotion<D>> Foam::wallMotion<D>::New
 {
     return dictionaryInput::selected
     (
-        *dictionaryConstructorTablePtr_, dict, "motion of a wall"
+        *dictionaryConstructorTablePtr_, dict
     )(dict, space);
 }
 

@@ -141,3 +141,21 @@ TEST(DictionaryInput, RefusesUnknownKeywordsAndMissingDictionaries)
     EXPECT_FOAM_ERROR(dictionaryInput::subDict(dict, "a"), "'a'");
     EXPECT_FOAM_ERROR(dictionaryInput::subDict(dict, "walls"), "'walls' is missing");
 }
+
+
+TEST(DictionaryInput, ReadsWordsThatAreAllowed)
+{
+    const dictionary dict(foamTest::dict("a one; b \"two\"; n 3; list (one two); sub { c 1; }"));
+    using namespace dictionaryInput;
+    const wordList allowed({"one", "two"});
+
+    EXPECT_EQ(getWord(dict, "a", allowed), "one");
+    EXPECT_EQ(getWord(dict, "b", allowed), "two");
+    EXPECT_EQ(getWordOrDefault(dict, "c", "two", allowed), "two");
+    EXPECT_FOAM_ERROR(getWord(dict, "c", allowed), "'c' is missing");
+    EXPECT_FOAM_ERROR(getWord(dict, "c", allowed), "allowed: (one two)");
+    EXPECT_FOAM_ERROR(getWord(dict, "n", allowed), "'n' has the value 3");
+    EXPECT_FOAM_ERROR(getWord(dict, "list", allowed), "'list' has the value ( one two )");
+    EXPECT_FOAM_ERROR(getWord(dict, "sub", allowed), "'sub' has the value { ... }");
+    EXPECT_FOAM_ERROR(getWordOrDefault(dict, "n", "one", allowed), "allowed: (one two)");
+}

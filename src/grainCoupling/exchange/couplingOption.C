@@ -1,0 +1,47 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingOption.H"
+
+#include "dictionaryInput.H"
+
+std::optional<Foam::scalar> Foam::couplingOption
+(
+    const dictionary& coupling,
+    const word& keyword,
+    const word& type,
+    const optionNumber& number,
+    const bool isPossible
+)
+{
+    std::optional<scalar> value(number.deflt);
+    if (coupling.found(keyword))
+    {
+        const dictionary& dict = dictionaryInput::subDict(coupling, keyword);
+        dictionaryInput::checkKeywords(dict, {"type", number.keyword});
+        value = dictionaryInput::getScalarOrDefault
+        (
+            dict, number.keyword, dimless, number.deflt, number.low, number.high
+        );
+
+        if (dictionaryInput::getWord(dict, "type", {type, "none"}) == "none")
+        {
+            value.reset();
+        }
+        else if (!isPossible)
+        {
+            dictionaryInput::badValue
+            (
+                dict, "type", type,
+                "none, with the chosen type of voidFraction"
+            );
+        }
+    }
+    if (!isPossible)
+    {
+        value.reset();
+    }
+    return value;
+}

@@ -327,6 +327,16 @@ TABLE = [
         swap(CONTROL, "grainTracks;", "grainTracks;\n        grains (0 7);"),
         [CONTROL, "'grains'", "7", "ids of grains"],
     ),
+    (
+        "trackedGrains",
+        swap(CONTROL, "grainTracks;", "grainTracks;\n        grains all;"),
+        [CONTROL, "'grains'", "value all", "(0 17 42)"],
+    ),
+    (
+        "numberOfTrackedGrains",
+        swap(CONTROL, "grainTracks;", "grainTracks;\n        grains (0 1.5);"),
+        [CONTROL, "'grains'", "value ( 0 1.5 )", "(0 17 42)"],
+    ),
 ]
 
 

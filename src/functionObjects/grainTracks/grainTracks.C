@@ -36,7 +36,18 @@ Foam::functionObjects::grainTracks::grainTracks
 bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    ids_ = labelHashSet(dict.getOrDefault<labelList>("grains", labelList()));
+    ids_.clear();
+    if (dict.found("grains"))
+    {
+        ids_.insert
+        (
+            dictionaryInput::getAs<labelList>
+            (
+                dict, "grains", "a list of ids of grains, as (0 17 42);"
+                " all are followed without it"
+            )
+        );
+    }
 
     const auto* grainsPtr =
         mesh_.cfindObject<grainView>(grainView::registryName);

@@ -8,6 +8,12 @@
 #include "dictionaryInput.H"
 #include "OStringStream.H"
 
+namespace
+{
+    const char* const allowedVector = "a vector, as (1 0 0)";
+}
+
+
 template<int D>
 nscd::Box<D> Foam::readBox
 (
@@ -26,12 +32,10 @@ nscd::Box<D> Foam::readBox
     // Two vectors of three numbers, with their brackets
     if (is.size() != 10)
     {
-        OStringStream value;
-        for (const token& t : static_cast<const tokenList&>(is))
-        {
-            value << t << ' ';
-        }
-        dictionaryInput::badValue(dict, "box", value.str(), allowed);
+        dictionaryInput::badValue
+        (
+            dict, "box", dictionaryInput::written(dict, "box"), allowed
+        );
     }
     const point first(is), second(is);
     const nscd::Vector<D> a(space.fromSpace(first));
@@ -56,7 +60,7 @@ nscd::Vector<D> Foam::readDirection
     const grainSpace<D>& space
 )
 {
-    const vector v(dict.get<vector>(keyword));
+    const vector v(dictionaryInput::getAs<vector>(dict, keyword, allowedVector));
     if (mag(v) < SMALL || !space.holds(v))
     {
         OStringStream value;
@@ -74,6 +78,21 @@ nscd::Vector<D> Foam::readDirection
 
 
 template<int D>
+nscd::Vector<D> Foam::readPoint
+(
+    const dictionary& dict,
+    const word& keyword,
+    const grainSpace<D>& space
+)
+{
+    return space.fromSpace
+    (
+        dictionaryInput::getAs<point>(dict, keyword, "a point, as (0 0 1)")
+    );
+}
+
+
+template<int D>
 Foam::Pair<nscd::Vector<D>> Foam::readPlane
 (
     const dictionary& dict,
@@ -82,7 +101,7 @@ Foam::Pair<nscd::Vector<D>> Foam::readPlane
 {
     return
     {
-        space.fromSpace(dict.get<point>("point")),
+        readPoint(dict, "point", space),
         readDirection(dict, "normal", space).normalized()
     };
 }
@@ -95,7 +114,7 @@ nscd::Spin<D> Foam::readAxis
     const grainSpace<D>& space
 )
 {
-    const vector v(dict.get<vector>("axis"));
+    const vector v(dictionaryInput::getAs<vector>(dict, "axis", allowedVector));
     if (mag(v) < SMALL || !space.holdsSpin(v))
     {
         OStringStream value;
@@ -120,6 +139,10 @@ template nscd::Vector<2> Foam::readDirection
 (
     const dictionary&, const word&, const grainSpace<2>&
 );
+template nscd::Vector<2> Foam::readPoint
+(
+    const dictionary&, const word&, const grainSpace<2>&
+);
 template nscd::Spin<2> Foam::readAxis
 (
     const dictionary&, const grainSpace<2>&
@@ -134,6 +157,10 @@ template nscd::Box<3> Foam::readBox
     const dictionary&, const grainSpace<3>&
 );
 template nscd::Vector<3> Foam::readDirection
+(
+    const dictionary&, const word&, const grainSpace<3>&
+);
+template nscd::Vector<3> Foam::readPoint
 (
     const dictionary&, const word&, const grainSpace<3>&
 );

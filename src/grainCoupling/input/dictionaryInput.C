@@ -20,20 +20,15 @@ scalar readChecked
 )
 {
     const string text(dictionaryInput::written(dict, keyword));
-    scalar value = 0;
-    string message;
-
     // Wrong dimensions would end in abort() and a stack trace
-    const bool throwing = FatalIOError.throwExceptions();
-    try
-    {
-        value = dimensionedScalar(keyword, dims, dict).value();
-    }
-    catch (const IOerror& err)
-    {
-        message = err.message();
-    }
-    FatalIOError.throwExceptions(throwing);
+    scalar value = 0;
+    const string message
+    (
+        dictionaryInput::errorOf
+        (
+            [&] { value = dimensionedScalar(keyword, dims, dict).value(); }
+        )
+    );
 
     if (!message.empty())
     {
@@ -86,6 +81,42 @@ void Foam::dictionaryInput::badValue
 }
 
 
+void Foam::dictionaryInput::missing
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& allowed
+)
+{
+    FatalIOErrorInFunction(dict)
+        << "Keyword '" << keyword.c_str() << "' is missing" << nl
+        << "    allowed: " << allowed.c_str()
+        << exit(FatalIOError);
+}
+
+
+Foam::string Foam::dictionaryInput::errorOf
+(
+    const std::function<void()>& read
+)
+{
+    string message;
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
+    try
+    {
+        read();
+    }
+    catch (const error& err)
+    {
+        message = err.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+    return message;
+}
+
+
 void Foam::dictionaryInput::checkKeywords
 (
     const dictionary& dict,
@@ -98,7 +129,7 @@ void Foam::dictionaryInput::checkKeywords
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown keyword '" << iter().keyword() << "'" << nl
-                << "    allowed: " << flatOutput(allowed)
+                << "    allowed: " << listed(allowed).c_str()
                 << exit(FatalIOError);
         }
     }
@@ -122,10 +153,7 @@ const Foam::dictionary& Foam::dictionaryInput::subDict
     }
     if (!subPtr)
     {
-        FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword
-            << "' is missing; a sub-dictionary of this name is required"
-            << exit(FatalIOError);
+        missing(dict, keyword, "a dictionary, " + keyword + " { ... }");
     }
     return *subPtr;
 }
@@ -247,7 +275,10 @@ void Foam::dictionaryInput::checkDimensions
 
 Foam::string Foam::dictionaryInput::listed(const wordList& names)
 {
-    OStringStream os;
-    os  << flatOutput(names);
-    return os.str();
+    string result;
+    for (const word& name : names)
+    {
+        result += (result.empty() ? "" : " ") + name;
+    }
+    return '(' + result + ')';
 }

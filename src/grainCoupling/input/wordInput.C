@@ -37,10 +37,7 @@ Foam::word Foam::dictionaryInput::getWord
 {
     if (!dict.found(keyword))
     {
-        FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "' is missing" << nl
-            << "    allowed: " << flatOutput(allowed)
-            << exit(FatalIOError);
+        missing(dict, keyword, listed(allowed));
     }
     const string value(written(dict, keyword));
     for (const word& name : allowed)

@@ -6,7 +6,7 @@
 #include "freeMotion.H"
 
 #include "dictionaryInput.H"
-#include "OStringStream.H"
+#include "readGeometry.H"
 
 addToSelection(wallMotion, wallMotions, free)
 
@@ -28,20 +28,23 @@ Foam::wallMotions::free<D>::free
     );
 
     body_.mass = dictionaryInput::getPositive(dict, "mass", dimMass);
-    body_.position = space.fromSpace(dict.get<point>("centre"));
+    body_.position = readPoint(dict, "centre", space);
     body_.velocity =
         space.fromSpace(dict.getOrDefault<vector>("velocity", Zero));
 
     if (dict.found("inertia"))
     {
-        const vector inertia(dict.get<vector>("inertia"));
+        const char* const allowed = "three values > 0, as (1 1 1)";
+        const vector inertia
+        (
+            dictionaryInput::getAs<vector>(dict, "inertia", allowed)
+        );
         if (cmptMin(inertia) <= 0)
         {
-            OStringStream value;
-            value << inertia;
             dictionaryInput::badValue
             (
-                dict, "inertia", value.str(), "three values > 0"
+                dict, "inertia", dictionaryInput::written(dict, "inertia"),
+                allowed
             );
         }
         body_.inertia = space.spinFromSpace(inertia).cwiseAbs();

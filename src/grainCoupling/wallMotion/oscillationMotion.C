@@ -51,26 +51,11 @@ Foam::scalar Foam::wallMotions::oscillation<D>::displacement
 
 
 template<int D>
-nscd::WallBody<D> Foam::wallMotions::oscillation<D>::body() const
-{
-    return nscd::WallBody<D>();
-}
-
-
-template<int D>
-void Foam::wallMotions::oscillation<D>::set
+nscd::Vector<D> Foam::wallMotions::oscillation<D>::velocity
 (
-    nscd::ContactDynamics<D>& dynamics,
-    const label bodyi,
     const scalar t,
-    const scalar deltaT,
-    const nscd::Vector<D>& g
+    const scalar deltaT
 ) const
 {
-    dynamics.setWallMotion
-    (
-        bodyi,
-        (displacement(t + deltaT) - displacement(t))/deltaT*direction_,
-        nscd::Spin<D>::Zero()
-    );
+    return (displacement(t + deltaT) - displacement(t))/deltaT*direction_;
 }

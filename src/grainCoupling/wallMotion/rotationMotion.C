@@ -17,7 +17,6 @@ Foam::wallMotions::rotation<D>::rotation
     const grainSpace<D>& space
 )
 :
-    origin_(space.fromSpace(dict.get<point>("origin"))),
     spin_(readAxis(dict, space)),
     during_(dict)
 {
@@ -25,6 +24,8 @@ Foam::wallMotions::rotation<D>::rotation
     (
         dict, {"type", "origin", "axis", "omega", "rpm", "start", "end"}
     );
+
+    this->origin_ = readPoint(dict, "origin", space);
 
     if (dict.found("omega") == dict.found("rpm"))
     {
@@ -43,26 +44,11 @@ Foam::wallMotions::rotation<D>::rotation
 
 
 template<int D>
-nscd::WallBody<D> Foam::wallMotions::rotation<D>::body() const
-{
-    nscd::WallBody<D> result;
-    result.position = origin_;
-    return result;
-}
-
-
-template<int D>
-void Foam::wallMotions::rotation<D>::set
+nscd::Spin<D> Foam::wallMotions::rotation<D>::spin
 (
-    nscd::ContactDynamics<D>& dynamics,
-    const label bodyi,
     const scalar t,
-    const scalar deltaT,
-    const nscd::Vector<D>& g
+    const scalar deltaT
 ) const
 {
-    dynamics.setWallMotion
-    (
-        bodyi, nscd::Vector<D>::Zero(), during_.share(t, deltaT)*spin_
-    );
+    return during_.share(t, deltaT)*spin_;
 }

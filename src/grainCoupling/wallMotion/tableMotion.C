@@ -19,21 +19,14 @@ using namespace Foam;
 template<class Type>
 autoPtr<Function1<Type>> readFunction(const dictionary& dict, const word& keyword)
 {
-    string message;
-    const bool throwing = FatalError.throwExceptions();
-    const bool throwingIO = FatalIOError.throwExceptions();
     autoPtr<Function1<Type>> result;
-    try
-    {
-        result = Function1<Type>::New(keyword, dict);
-    }
-    catch (const Foam::error& err)
-    {
-        message = err.message();
-    }
-    FatalError.throwExceptions(throwing);
-    FatalIOError.throwExceptions(throwingIO);
-
+    const string message
+    (
+        dictionaryInput::errorOf
+        (
+            [&] { result = Function1<Type>::New(keyword, dict); }
+        )
+    );
     if (!message.empty())
     {
         FatalIOErrorInFunction(dict)
@@ -55,7 +48,6 @@ Foam::wallMotions::table<D>::table
 )
 :
     space_(space),
-    origin_(nscd::Vector<D>::Zero()),
     axis_(nscd::Spin<D>::Zero())
 {
     dictionaryInput::checkKeywords
@@ -77,43 +69,40 @@ Foam::wallMotions::table<D>::table
     if (dict.found("angle"))
     {
         angle_ = readFunction<scalar>(dict, "angle");
-        origin_ = space.fromSpace(dict.get<point>("origin"));
+        this->origin_ = readPoint(dict, "origin", space);
         axis_ = readAxis(dict, space);
     }
 }
 
 
 template<int D>
-nscd::WallBody<D> Foam::wallMotions::table<D>::body() const
+nscd::Vector<D> Foam::wallMotions::table<D>::velocity
+(
+    const scalar t,
+    const scalar deltaT
+) const
 {
-    nscd::WallBody<D> result;
-    result.position = origin_;
-    return result;
+    if (!displacement_)
+    {
+        return nscd::Vector<D>::Zero();
+    }
+    return space_.fromSpace
+    (
+        (displacement_->value(t + deltaT) - displacement_->value(t))/deltaT
+    );
 }
 
 
 template<int D>
-void Foam::wallMotions::table<D>::set
+nscd::Spin<D> Foam::wallMotions::table<D>::spin
 (
-    nscd::ContactDynamics<D>& dynamics,
-    const label bodyi,
     const scalar t,
-    const scalar deltaT,
-    const nscd::Vector<D>& g
+    const scalar deltaT
 ) const
 {
-    nscd::Vector<D> velocity(nscd::Vector<D>::Zero());
-    nscd::Spin<D> spin(nscd::Spin<D>::Zero());
-    if (displacement_)
+    if (!angle_)
     {
-        velocity = space_.fromSpace
-        (
-            (displacement_->value(t + deltaT) - displacement_->value(t))/deltaT
-        );
+        return nscd::Spin<D>::Zero();
     }
-    if (angle_)
-    {
-        spin = (angle_->value(t + deltaT) - angle_->value(t))/deltaT*axis_;
-    }
-    dynamics.setWallMotion(bodyi, velocity, spin);
+    return (angle_->value(t + deltaT) - angle_->value(t))/deltaT*axis_;
 }

@@ -28,24 +28,11 @@ Foam::wallMotions::translation<D>::translation
 
 
 template<int D>
-nscd::WallBody<D> Foam::wallMotions::translation<D>::body() const
-{
-    return nscd::WallBody<D>();
-}
-
-
-template<int D>
-void Foam::wallMotions::translation<D>::set
+nscd::Vector<D> Foam::wallMotions::translation<D>::velocity
 (
-    nscd::ContactDynamics<D>& dynamics,
-    const label bodyi,
     const scalar t,
-    const scalar deltaT,
-    const nscd::Vector<D>& g
+    const scalar deltaT
 ) const
 {
-    dynamics.setWallMotion
-    (
-        bodyi, during_.share(t, deltaT)*velocity_, nscd::Spin<D>::Zero()
-    );
+    return during_.share(t, deltaT)*velocity_;
 }

@@ -337,6 +337,15 @@ TABLE = [
         swap(CONTROL, "grainTracks;", "grainTracks;\n        grains (0 1.5);"),
         [CONTROL, "'grains'", "value ( 0 1.5 )", "(0 17 42)"],
     ),
+    (
+        "dragOfDiscsOnSpheres",
+        meshed(
+            NO_EMPTY,
+            swap(BLOCKS, "empty", "patch"),
+            swap(GRAINS, "\nshape   disc", "\nshape   sphere"),
+        ),
+        [GRAINS, "drag", "'shape'", "value disc", "sphere, as this mesh is three-dimensional"],
+    ),
 ]
 
 

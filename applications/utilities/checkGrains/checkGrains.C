@@ -62,7 +62,10 @@ void printTimeStepInFluid
 {
     const autoPtr<dragLaw> drag
     (
-        dragLaw::New(dictionaryInput::subDict(properties.coupling(), "drag"))
+        dragLaw::New
+        (
+            dictionaryInput::subDict(properties.coupling(), "drag"), D
+        )
     );
     const scalar rho =
         dictionaryInput::getPositive(transport, "rho", dimDensity);

@@ -22,19 +22,10 @@ Foam::dragLaws::DallavalleDiFelice::DallavalleDiFelice(const dictionary& dict)
 {
     dictionaryInput::checkKeywords(dict, {"type", "shape"});
 
-    const word shape(dict.get<word>("shape"));
-    if (shape == "disc")
-    {
-        shapeFactor_ = disc;
-    }
-    else if (shape == "sphere")
-    {
-        shapeFactor_ = sphere;
-    }
-    else
-    {
-        dictionaryInput::badValue(dict, "shape", shape, "disc, sphere");
-    }
+    shapeFactor_ =
+        dictionaryInput::getWord(dict, "shape", {"disc", "sphere"}) == "disc"
+      ? disc
+      : sphere;
 }
 
 

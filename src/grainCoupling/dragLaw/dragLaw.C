@@ -14,10 +14,23 @@ namespace Foam
 }
 
 
-Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New(const dictionary& dict)
+Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New
+(
+    const dictionary& dict,
+    const label nDimensions
+)
 {
-    return dictionaryInput::selected
+    autoPtr<dragLaw> law
     (
-        *dictionaryConstructorTablePtr_, dict
-    )(dict);
+        dictionaryInput::selected(*dictionaryConstructorTablePtr_, dict)(dict)
+    );
+    if (law->isOfDiscs() && nDimensions == 3)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "shape", "disc",
+            "sphere, as this mesh is three-dimensional"
+        );
+    }
+    return law;
 }

@@ -50,7 +50,8 @@ Foam::grainFluidExchange::grainFluidExchange
             dictionaryInput::subDict
             (
                 grains.motion().coupling(), "drag"
-            )
+            ),
+            mesh_.nGeometricD()
         )
     ),
     addedMass_

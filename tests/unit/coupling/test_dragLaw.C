@@ -106,21 +106,30 @@ TEST(DragLaw, IsSelectedByName)
     );
     EXPECT_EQ
     (
-        dragLaw::New(dict)->gamma(0.6, 0.1, d, rho, mu),
+        dragLaw::New(dict, 3)->gamma(0.6, 0.1, d, rho, mu),
         Law::gamma(Law::sphere, 0.6, 0.1, d, rho, mu)
     );
-    EXPECT_FOAM_ERROR(dragLaw::New(foamTest::dict("type Stoke;")), "DallavalleDiFelice");
+    EXPECT_FOAM_ERROR(dragLaw::New(foamTest::dict("type Stoke;"), 3), "DallavalleDiFelice");
     EXPECT_FOAM_ERROR
     (
-        dragLaw::New(foamTest::dict("type DallavalleDiFelice; shape cube;")), "disc, sphere"
+        dragLaw::New(foamTest::dict("type DallavalleDiFelice; shape cube;"), 2), "disc sphere"
     );
+}
+
+
+TEST(DragLaw, OfDiscsIsForTwoDimensions)
+{
+    const dictionary disc(foamTest::dict("type DallavalleDiFelice; shape disc;"));
+    EXPECT_TRUE(dragLaw::New(disc, 2)->isOfDiscs());
+    EXPECT_FOAM_ERROR(dragLaw::New(disc, 3), "allowed: sphere");
+    EXPECT_FALSE(dragLaw::New(foamTest::dict("type Stokes;"), 2)->isOfDiscs());
 }
 
 
 TEST(SettlingSpeed, BalancesDragAndReducedWeight)
 {
     const dictionary dict(foamTest::dict("type DallavalleDiFelice; shape disc;"));
-    const autoPtr<dragLaw> drag(dragLaw::New(dict));
+    const autoPtr<dragLaw> drag(dragLaw::New(dict, 2));
     const scalar w = settlingSpeed(*drag, d, 2500, rho, mu, 9.81);
     EXPECT_NEAR(drag->gamma(1, w, d, rho, mu)*w, 1300*9.81, 1e-9*1300*9.81);
 }

@@ -17,7 +17,7 @@ const scalar d = 0.002, rho = 1200, mu = 0.05;
 // gamma d^2/mu at a superficial Reynolds number
 scalar coefficient(const std::string& law, const scalar eps, const scalar Re)
 {
-    const autoPtr<dragLaw> drag(dragLaw::New(foamTest::dict("type " + law + "; ")));
+    const autoPtr<dragLaw> drag(dragLaw::New(foamTest::dict("type " + law + "; "), 3));
     return drag->gamma(eps, Re*mu/(eps*rho*d), d, rho, mu)*sqr(d)/mu;
 }
 
@@ -97,7 +97,7 @@ TEST(DragOfSpheres, OfThePrintedLawIsTwiceThatOfDallavalle)
     // (5.88/4.8)^2/(3/4), away from the dip that the print leaves out
     const autoPtr<dragLaw> sphere
     (
-        dragLaw::New(foamTest::dict("type DallavalleDiFelice; shape sphere;"))
+        dragLaw::New(foamTest::dict("type DallavalleDiFelice; shape sphere;"), 3)
     );
     EXPECT_NEAR
     (
@@ -111,6 +111,6 @@ TEST(DragOfSpheres, RefusesWhatItDoesNotKnow)
 {
     EXPECT_FOAM_ERROR
     (
-        dragLaw::New(foamTest::dict("type Beetstra; shape sphere;")), "shape"
+        dragLaw::New(foamTest::dict("type Beetstra; shape sphere;"), 3), "shape"
     );
 }

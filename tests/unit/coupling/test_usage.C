@@ -117,7 +117,7 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
             "SchillerNaumann", "Stokes", "thesisPrinted"
         })
     {
-        EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag")));
+        EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag"), 2));
     }
 
     for (const char* name : {"Magnus", "SaffmanMei"})

@@ -70,6 +70,22 @@ def damaged_state(case):
 # In a box without empty patches, U and p_rgh need other conditions
 NO_EMPTY = both(swap("0/U", "empty", "slip"), swap("0/p_rgh", "empty", "zeroGradient"))
 
+WEDGE_BACK = "(0 0 -0.01) (0.1 0 -0.02) (0.1 0.1 -0.02) (0 0.1 -0.01)"
+WEDGE_FRONT = "(0 0 0.01) (0.1 0 0.02) (0.1 0.1 0.02) (0 0.1 0.01)"
+
+# The box turned into a wedge of 11 degrees about an axis outside of it
+WEDGE = [
+    swap(BLOCKS, "(0   0   0) (0.1 0   0) (0.1 0.1 0) (0   0.1 0)", WEDGE_BACK),
+    swap(BLOCKS, "(0   0   0.01) (0.1 0   0.01) (0.1 0.1 0.01) (0   0.1 0.01)", WEDGE_FRONT),
+    swap(
+        BLOCKS,
+        "frontAndBack\n    {\n        type    empty;\n        faces   ((0 3 2 1) (4 5 6 7));",
+        "back { type wedge; faces ((0 3 2 1)); } front { type wedge; faces ((4 5 6 7));",
+    ),
+    swap("0/U", "frontAndBack\n    {\n        type    empty", '"back|front" { type wedge'),
+    swap("0/p_rgh", "frontAndBack\n    {\n        type    empty", '"back|front" { type wedge'),
+]
+
 METHODS = ["centroid", "exactOverlap"]
 COLUMNS = ["x y z radius"]
 
@@ -346,6 +362,7 @@ TABLE = [
         ),
         [GRAINS, "drag", "'shape'", "value disc", "sphere, as this mesh is three-dimensional"],
     ),
+    ("wedge", meshed(*WEDGE), ["front", "'wedge'", "'empty'"]),
 ]
 
 

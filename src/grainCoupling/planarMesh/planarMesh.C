@@ -9,9 +9,23 @@
 #include "overlap/DiscPolygon.hpp"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
+#include "wedgePolyPatch.H"
 
 void Foam::planarMesh::setAxes()
 {
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(patch))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " of mesh "
+                << mesh_.polyMesh::objectPath() << " is of type 'wedge'" << nl
+                << "    allowed: a mesh one cell thick with patches of type"
+                << " 'empty' in front and behind, for discs, or one of three"
+                << " dimensions, for spheres; grains have no symmetry of"
+                << " revolution" << exit(FatalError);
+        }
+    }
     if (mesh_.nGeometricD() != 2)
     {
         FatalErrorInFunction

@@ -76,6 +76,22 @@ def test_stop_and_restart_with_every_closure(clone):
     assert track_lines(whole) == track_lines(parts)
 
 
+def test_fluxes_that_a_restart_lacks_are_reported(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    control(case, endTime=0.02, writeInterval=10)
+    case.run("grainFoam")
+    assert "made from U" not in case.log
+    control(case, endTime=0.03)
+    case.run("grainFoam")
+    assert "made from U" not in case.log
+
+    for name in ("phiU", "phi"):
+        (case.path / "0.03" / name).unlink()
+    control(case, endTime=0.04)
+    case.run("grainFoam")
+    assert case.log.count("Time 0.03 has no (phiU phi): made from U") == 1
+
+
 def kill_while_writing(case):
     """Kill the solver in the middle of a time; its name, None if the run got to its end."""
     env = os.environ | {"PWD": str(case.path)}

@@ -28,6 +28,7 @@ Description
 #include "grainLedger.H"
 #include "HeleShaw.H"
 #include "incompleteTimes.H"
+#include "missingFluxes.H"
 #include "sigFpe.H"
 
 int main(int argc, char *argv[])

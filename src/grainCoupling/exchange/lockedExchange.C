@@ -12,18 +12,13 @@ Foam::grainMotion::twist Foam::grainFluidExchange::freeMotion
 {
     const grainMotion& motion = grains_.motion();
     const scalar deltaT = mesh_.time().deltaTValue();
-    const scalar rhop = motion.density(graini);
 
     const grainMotion::twist now(motion.motion(graini));
-    if (motion.isFixed())
-    {
-        return now;
-    }
     const grainMotion::twist change(motion.contactChange(graini, deltaT));
     return
     {
         now.velocity + change.velocity
-      + (1 - rho_.value()/rhop)*deltaT*motion.g(),
+      + deltaT*motion.reducedGravity(graini, rho_.value()),
         now.spin + change.spin
     };
 }

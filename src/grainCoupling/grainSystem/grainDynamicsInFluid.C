@@ -85,7 +85,7 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
 ) const
 {
     const scalar lastDeltaT = dynamics().lastTimeStep();
-    if (lastDeltaT <= 0)
+    if (isFixed() || lastDeltaT <= 0)
     {
         return {Zero, Zero};
     }

@@ -197,12 +197,7 @@ nscd::Vector<D> Foam::grainProperties<D>::wrapped(nscd::Vector<D> x) const
     const nscd::Vector<D> lower(space_.globalDomain().min());
     for (int d = 0; d < D; ++d)
     {
-        if (contact_.period[d] > 0)
-        {
-            x[d] -=
-                contact_.period[d]
-               *std::floor((x[d] - lower[d])/contact_.period[d]);
-        }
+        x[d] += wrap(x[d], lower[d], contact_.period[d]);
     }
     return x;
 }

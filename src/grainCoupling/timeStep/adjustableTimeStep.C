@@ -130,11 +130,6 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
 ) const
 {
     const grainMotion& motion = grains_.motion();
-    if (motion.isFixed())
-    {
-        return GREAT;
-    }
-
     scalar smallest = GREAT;
     for (label i = 0; i < grains_.size(); ++i)
     {
@@ -144,7 +139,7 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
     scalar limit = GREAT;
     for (label i = 0; i < grains_.size(); ++i)
     {
-        const scalar a = mag((1 - rho_/motion.density(i))*motion.g());
+        const scalar a = mag(motion.reducedGravity(i, rho_));
         const scalar v = mag(motion.motion(i).velocity);
         limit = min(limit, timeToMove(fraction*2*smallest, v, a));
     }

@@ -43,16 +43,16 @@ void Foam::periodicCells::forImages
     const Function& f
 ) const
 {
-    vector wrap(Zero);
+    vector home(Zero);
     labelVector first(Zero), last(Zero);
     for (direction d = 0; d < vector::nComponents; ++d)
     {
         if (period_[d] > 0)
         {
-            const scalar from = x[d] - bounds_.min()[d];
-            wrap[d] = -period_[d]*std::floor(from/period_[d]);
-            first[d] = from + wrap[d] + reach > period_[d] ? -1 : 0;
-            last[d] = from + wrap[d] < reach ? 1 : 0;
+            home[d] = wrap(x[d], bounds_.min()[d], period_[d]);
+            const scalar from = x[d] + home[d] - bounds_.min()[d];
+            first[d] = from + reach > period_[d] ? -1 : 0;
+            last[d] = from < reach ? 1 : 0;
         }
     }
     for (label i = first.x(); i <= last.x(); ++i)
@@ -61,7 +61,7 @@ void Foam::periodicCells::forImages
         {
             for (label k = first.z(); k <= last.z(); ++k)
             {
-                f(wrap + cmptMultiply(vector(i, j, k), period_));
+                f(home + cmptMultiply(vector(i, j, k), period_));
             }
         }
     }

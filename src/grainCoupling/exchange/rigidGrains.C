@@ -1,0 +1,238 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "resolvedGrains.H"
+
+#include "fvcFlux.H"
+
+template<class Function>
+void Foam::resolvedGrains::forGrainFaces(const Function& f) const
+{
+    forLinks
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label patchi,
+            const label facei
+        )
+        {
+            if (!own.isLocked() || !nei.isLocked() || own.grain == nei.grain)
+            {
+                f(own, nei, label(max(own.grain, nei.grain)), patchi, facei);
+            }
+        }
+    );
+}
+
+
+Foam::vectorField Foam::resolvedGrains::meanOfCells
+(
+    const volVectorField& U
+) const
+{
+    const scalarField& V = mesh_.V();
+    scalarField volume(grains_.size(), Zero);
+    vectorField sum(grains_.size(), Zero);
+    forAll(V, celli)
+    {
+        const label graini = grain(celli);
+        if (graini >= 0)
+        {
+            volume[graini] += V[celli];
+            sum[graini] += V[celli]*U[celli];
+        }
+    }
+    Pstream::listCombineGather(volume, plusEqOp<scalar>());
+    Pstream::listCombineScatter(volume);
+    Pstream::listCombineGather(sum, plusEqOp<vector>());
+    Pstream::listCombineScatter(sum);
+
+    return sum/max(volume, VSMALL);
+}
+
+
+void Foam::resolvedGrains::makeRigid
+(
+    const volVectorField& freeU,
+    volVectorField& U
+) const
+{
+    const vectorField change(meanOfCells(U - freeU));
+    forAll(U, celli)
+    {
+        const label graini = grain(celli);
+        if (graini >= 0)
+        {
+            U[celli] = freeU[celli] + change[graini];
+        }
+    }
+    U.correctBoundaryConditions();
+}
+
+
+Foam::vector Foam::resolvedGrains::memberArm(const side& inGrain) const
+{
+    const label graini = label(inGrain.grain);
+    scalar deepest = -GREAT;
+    vector arm(Zero);
+    for (const grainMember& body : grains_.members(graini))
+    {
+        const scalar d = body.radius - mag(between(body.centre, inGrain.x));
+        if (d > deepest)
+        {
+            deepest = d;
+            arm = between(grains_.centres()[graini], body.centre);
+        }
+    }
+    return arm;
+}
+
+
+template<class Arm>
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::fluxOf
+(
+    const volVectorField& U,
+    const Arm& armOf
+) const
+{
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
+    surfaceScalarField& result = tresult.ref();
+
+    const vectorField translation(meanOfCells(U));
+    forGrainFaces
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label graini,
+            const label patchi,
+            const label facei
+        )
+        {
+            const scalar inOwn = 0.5*(own.isLocked() + !nei.isLocked());
+            vector arm(Zero);
+            if (inOwn > 0)
+            {
+                arm += inOwn*armOf(own);
+            }
+            if (inOwn < 1)
+            {
+                arm += (1 - inOwn)*armOf(nei);
+            }
+            resolvedFace::at(result, patchi, facei) =
+                resolvedFace::at(mesh_.Sf(), patchi, facei)
+              & (
+                    translation[graini]
+                  + (grains_.motion().spin(graini) ^ arm)
+                );
+        }
+    );
+    return tresult;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::surfaceFlux
+(
+    const volVectorField& U
+) const
+{
+    return fluxOf(U, [&](const side& inGrain) { return memberArm(inGrain); });
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::bodyFlux
+(
+    const volVectorField& U
+) const
+{
+    return fluxOf
+    (
+        U,
+        [&](const side& inGrain)
+        {
+            return between
+            (
+                grains_.centres()[label(inGrain.grain)], inGrain.x
+            );
+        }
+    );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::withoutForce
+(
+    const surfaceScalarField& force,
+    const surfaceScalarField& inertia
+) const
+{
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*force));
+    surfaceScalarField& result = tresult.ref();
+
+    vectorField sum(grains_.size(), Zero);
+    tensorField mass(grains_.size(), Zero);
+    forGrainFaces
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label graini,
+            const label patchi,
+            const label facei
+        )
+        {
+            // One half of a coupled face is on the other side
+            const vector way
+            (
+                (patchi < 0 ? 1 : 0.5)*inMesh(nei.x - own.x)
+            );
+            sum[graini] += resolvedFace::at(force, patchi, facei)*way;
+            mass[graini] +=
+                resolvedFace::at(inertia, patchi, facei)
+               *way*resolvedFace::at(mesh_.Sf(), patchi, facei);
+        }
+    );
+    Pstream::listCombineGather(sum, plusEqOp<vector>());
+    Pstream::listCombineScatter(sum);
+    Pstream::listCombineGather(mass, plusEqOp<tensor>());
+    Pstream::listCombineScatter(mass);
+
+    // A grain at a boundary, or between others, may have no face across a
+    // direction
+    constexpr scalar least = 1e-9;
+
+    vectorField velocity(grains_.size(), Zero);
+    forAll(velocity, graini)
+    {
+        const scalar scale = tr(mass[graini]);
+        if (scale > 0)
+        {
+            const tensor m(mass[graini] + least*scale*tensor::I);
+            velocity[graini] = inv(m) & sum[graini];
+        }
+    }
+
+    forGrainFaces
+    (
+        [&]
+        (
+            const side&,
+            const side&,
+            const label graini,
+            const label patchi,
+            const label facei
+        )
+        {
+            resolvedFace::at(result, patchi, facei) =
+                resolvedFace::at(force, patchi, facei)
+              - resolvedFace::at(inertia, patchi, facei)
+               *(resolvedFace::at(mesh_.Sf(), patchi, facei) & velocity[graini]);
+        }
+    );
+    return tresult;
+}

@@ -65,7 +65,7 @@ def fixed(case, drop, nu, delta_t, steps):
     control(case, timePrecision=12)
     case.run("grainFoam")
     motion = tracks(case)
-    assert np.ptp(motion[:, 2:11], axis=0).max() == 0
+    assert np.abs(motion[:, 5:11]).max() == 0
     return motion[-1, 11]
 
 
@@ -83,8 +83,24 @@ def test_square_array_of_cylinders(clone, fraction, exact):
     # What drives the fluid is on the grain in the end
     assert force == pytest.approx(-drop * side * depth, rel=1e-3)
     speed = case.field("U")[:, 0].mean()
-    # Ten and fourteen cells across: 1.3 and 2.2 % above
+    # Ten and fourteen cells across: 0.7 and 1.3 % above
     assert force / (1e3 * nu * speed * depth) == pytest.approx(exact, rel=0.03)
+
+
+def test_flow_through_narrow_gaps_does_not_depend_on_the_time_step(clone):
+    """Gaps of two and a half cells: face and cell velocities differ beside the grains."""
+    radius, nu, drop, cells = 0.0245, 1e-3, -40.0, 12
+    flow = []
+    for delta_t in (4e-3, 1e-3):
+        case = cyclic_box(clone, [(0.003, 0.041), (0.053, 0.091)], radius)
+        case.path = case.path.rename(case.path.with_name(str(delta_t)))
+        replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+        case.run("blockMesh")
+        replace(case, "0/p_rgh", '"left|right|bottom|top"', '"bottom|top"')
+        fixed(case, drop, nu, delta_t, round(1 / delta_t))
+        flow.append(case.field("U")[:, 0].mean())
+    # With OpenFOAM's ddtCorr 15 % more with the longer step
+    assert flow[0] == pytest.approx(flow[1], rel=0.01)
 
 
 def test_cubic_array_of_spheres(clone):
@@ -105,5 +121,5 @@ def test_cubic_array_of_spheres(clone):
     force = fixed(case, drop, nu, 4 * (SIDE / cells) ** 2 / nu, 80)
     assert force == pytest.approx(-drop * SIDE**2, rel=1e-3)
     speed = field(case, "U")[:, 0].mean()
-    # Ten cells across: 2 % above
+    # Ten cells across: 0.7 % above
     assert force / (6 * np.pi * 1e3 * nu * radius * speed) == pytest.approx(exact, rel=0.03)

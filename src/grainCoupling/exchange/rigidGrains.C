@@ -100,6 +100,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::fluxOf
 ) const
 {
     tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
+    if (!isActive_)
+    {
+        return tresult;
+    }
     surfaceScalarField& result = tresult.ref();
 
     const vectorField translation(meanOfCells(U));

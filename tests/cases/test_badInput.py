@@ -9,6 +9,7 @@ GRAINS = "constant/grainProperties"
 FLUID = "constant/transportProperties"
 CSV = "constant/grains.csv"
 CONTROL = "system/controlDict"
+SCHEMES = "system/fvSchemes"
 BLOCKS = "system/blockMeshDict"
 HEADER = "x,y,z,radius"
 GOOD = "0.03,0.03,0.005,0.004"
@@ -270,7 +271,25 @@ TABLE = [
     (
         "motion",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion frozen;"),
-        [GRAINS, "'motion'", "value frozen", "free, fixed"],
+        [GRAINS, "'motion'", "value frozen", "free fixed"],
+    ),
+    (
+        "fixedAndMoving",
+        both(
+            swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion fixed;"),
+            csv(f"{HEADER},vy", f"{GOOD},0.1"),
+        ),
+        [GRAINS, "'motion'", "value fixed", "grain 0 has a velocity of 0.1 m/s"],
+    ),
+    (
+        "fixedAndInjected",
+        swap(GRAINS, "\ncoupling\n{", "\ninjections {}\ncoupling\n{ motion fixed;"),
+        [GRAINS, "'motion'", "value fixed", "free", "'injections'"],
+    ),
+    (
+        "ddtScheme",
+        swap(SCHEMES, "Euler", "CrankNicolson 0.9"),
+        [SCHEMES, "'default'", "CrankNicolson", "Euler backward"],
     ),
     (
         "noDictionary",

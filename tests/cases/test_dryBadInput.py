@@ -106,6 +106,11 @@ TABLE = [
     ("friction", law("friction 1e30;"), ["'friction'", "1e+30", "from 0 to 1e+15"]),
     ("outletType", section("outlets", "type hole;"), ["'type'", "hole", "beyond", "patches"]),
     ("outletPatch", section("outlets", "type patches; patches (lid);"), ["'patches'", "lid"]),
+    (
+        "outletWall",
+        section("outlets", "type patches; patches (bottom);"),
+        ["'patches'", "bottom", "'walls'"],
+    ),
     ("outletBox", section("outlets", "type box; box (0 0 0) (0 1 0);"), ["'box'", "two corners"]),
     ("outletKey", section("outlets", "type patches; patches (top); x 1;"), ["outlets", "'x'"]),
     ("injectionType", injection("type hole;"), ["'type'", "hole", "box patches"]),
@@ -128,6 +133,11 @@ TABLE = [
         "injectionVelocity",
         injection(f"{BOX} velocity (0 0 1);"),
         ["'velocity'", "(0 0 1)", "plane"],
+    ),
+    (
+        "injectionVelocityShort",
+        injection(f"{BOX} velocity (0 0.1);"),
+        ["'velocity'", "( 0 0.1 )", "a vector in the plane of the mesh"],
     ),
     (
         "injectionBox",

@@ -76,20 +76,21 @@ def test_stop_and_restart_with_every_closure(clone):
     assert track_lines(whole) == track_lines(parts)
 
 
-def test_fluxes_that_a_restart_lacks_are_reported(clone):
+def test_fields_that_a_restart_lacks_are_reported(clone):
     case = grain_box(clone, CASES["one"], RADIUS)
     control(case, endTime=0.02, writeInterval=10)
     case.run("grainFoam")
     assert "made from U" not in case.log
     control(case, endTime=0.03)
     case.run("grainFoam")
-    assert "made from U" not in case.log
+    assert " has no " not in case.log
 
-    for name in ("phiU", "phi"):
+    for name in ("phiU", "phi", "gradP_rgh"):
         (case.path / "0.03" / name).unlink()
     control(case, endTime=0.04)
     case.run("grainFoam")
     assert case.log.count("Time 0.03 has no (phiU phi): made from U") == 1
+    assert case.log.count("Time 0.03 has no (gradP_rgh): zero in the first step") == 1
 
 
 def kill_while_writing(case):

@@ -28,8 +28,9 @@ Description
 #include "grainLedger.H"
 #include "HeleShaw.H"
 #include "incompleteTimes.H"
-#include "missingFluxes.H"
+#include "missingFields.H"
 #include "sigFpe.H"
+#include "timeScheme.H"
 
 int main(int argc, char *argv[])
 {

@@ -217,16 +217,33 @@ Foam::vector Foam::resolvedGrains::inMesh(const vector& x) const
 }
 
 
+Foam::grainMember Foam::resolvedGrains::deepestMember
+(
+    const label graini,
+    const point& x
+) const
+{
+    scalar deepest = -GREAT;
+    grainMember result;
+    for (const grainMember& body : grains_.members(graini))
+    {
+        const scalar d = body.radius - mag(between(body.centre, x));
+        if (d > deepest)
+        {
+            deepest = d;
+            result = body;
+        }
+    }
+    return result;
+}
+
+
 Foam::scalar Foam::resolvedGrains::depth
 (
     const label graini,
     const point& x
 ) const
 {
-    scalar result = -GREAT;
-    for (const grainMember& body : grains_.members(graini))
-    {
-        result = max(result, body.radius - mag(between(body.centre, x)));
-    }
-    return result;
+    const grainMember body(deepestMember(graini, x));
+    return body.radius - mag(between(body.centre, x));
 }

@@ -77,18 +77,10 @@ void Foam::resolvedGrains::makeRigid
 Foam::vector Foam::resolvedGrains::memberArm(const side& inGrain) const
 {
     const label graini = label(inGrain.grain);
-    scalar deepest = -GREAT;
-    vector arm(Zero);
-    for (const grainMember& body : grains_.members(graini))
-    {
-        const scalar d = body.radius - mag(between(body.centre, inGrain.x));
-        if (d > deepest)
-        {
-            deepest = d;
-            arm = between(grains_.centres()[graini], body.centre);
-        }
-    }
-    return arm;
+    return between
+    (
+        grains_.centres()[graini], deepestMember(graini, inGrain.x).centre
+    );
 }
 
 

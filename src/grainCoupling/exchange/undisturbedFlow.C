@@ -8,6 +8,7 @@
 #include "cellSizes.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
+#include "missingFields.H"
 
 Foam::undisturbedFlow::undisturbedFlow
 (
@@ -41,7 +42,12 @@ Foam::undisturbedFlow::undisturbedFlow
         mesh_,
         dimensionedVector(dimPressure/dimLength, Zero)
     )
-{}
+{
+    if (width_ > 0)
+    {
+        reportMissingFields(mesh_, {gradP_.name()}, "zero in the first step");
+    }
+}
 
 
 Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)

@@ -55,15 +55,16 @@ nscd::Vector<D> Foam::grainInjection<D>::readVelocity
     {
         return nscd::Vector<D>::Zero();
     }
-    const vector v(dict.get<vector>("velocity"));
+    const string allowed
+    (
+        D == 2 ? "a vector in the plane of the mesh" : "a vector, as (0 0 1)"
+    );
+    const vector v(dictionaryInput::getAs<vector>(dict, "velocity", allowed));
     if (!properties_.space().holds(v))
     {
         OStringStream value;
         value << v;
-        dictionaryInput::badValue
-        (
-            dict, "velocity", value.str(), "a vector in the plane of the mesh"
-        );
+        dictionaryInput::badValue(dict, "velocity", value.str(), allowed);
     }
     return properties_.space().fromSpace(v);
 }

@@ -24,7 +24,10 @@ Foam::grainInjectionTypes::patches<D>::patches
 {
     this->checkKeywords(dict, {"patches"});
     checkArea(dict);
-    checkWalls(dict);
+    wallPieces::checkNoWalls
+    (
+        dict, patches_, properties.dict(), properties.space().mesh()
+    );
 
     if (!this->hasVelocity() || this->velocity().dot(normal_) <= 0)
     {
@@ -65,36 +68,6 @@ void Foam::grainInjectionTypes::patches<D>::checkArea
             "patches wide enough for the largest grain, of radius "
           + Foam::name(this->largest()) + " m"
         );
-    }
-}
-
-
-template<int D>
-void Foam::grainInjectionTypes::patches<D>::checkWalls
-(
-    const dictionary& dict
-) const
-{
-    const polyMesh& mesh = this->properties().space().mesh();
-    const dictionary& walls = this->properties().dict().subDict("walls");
-    for (const word& name : walls.toc())
-    {
-        const dictionary& wall = walls.subDict(name);
-        if (wall.get<word>("type") != "patches")
-        {
-            continue;
-        }
-        for (const label patchi : wallPieces::selectedPatches(wall, mesh))
-        {
-            if (patches_.found(patchi))
-            {
-                dictionaryInput::badValue
-                (
-                    dict, "patches", mesh.boundaryMesh()[patchi].name(),
-                    "patches that are no walls of grains, as this is in 'walls'"
-                );
-            }
-        }
     }
 }
 

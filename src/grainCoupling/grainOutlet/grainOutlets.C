@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "patchesOutlet.H"
+#include "wallPieces.H"
 
 template<int D>
 Foam::grainOutlets<D>::grainOutlets
@@ -24,12 +25,12 @@ Foam::grainOutlets<D>::grainOutlets
 
         for (const word& name : dict.toc())
         {
-            outlets_.append
+            const dictionary& own = dictionaryInput::subDict(dict, name);
+            outlets_.append(grainOutlet<D>::New(own, properties.space()));
+            wallPieces::checkNoWalls
             (
-                grainOutlet<D>::New
-                (
-                    dictionaryInput::subDict(dict, name), properties.space()
-                )
+                own, outlets_.last().openings(), properties.dict(),
+                properties.space().mesh()
             );
         }
     }

@@ -5,6 +5,8 @@
 
 #include "grainChecks.H"
 
+#include "dictionaryInput.H"
+
 #include "nscd/Members.hpp"
 #include "nscd/Neighbours.hpp"
 #include "nscd/WallContact.hpp"
@@ -180,6 +182,25 @@ void Foam::grainChecks<D>::requireLaws() const
         for (const label b : others)
         {
             properties_.materials().checkPair(a, b);
+        }
+    }
+}
+
+
+template<int D>
+void Foam::grainChecks<D>::requireRest() const
+{
+    for (std::size_t i = 0; properties_.areFixed() && i < grains_.size(); ++i)
+    {
+        if (grains_.velocity[i].norm() > 0 || grains_.spin[i].norm() > 0)
+        {
+            OStringStream allowed;
+            allowed << "free, or grains at rest: grain " << label(i)
+                << " has a velocity of " << grains_.velocity[i].norm() << " m/s";
+            dictionaryInput::badValue
+            (
+                properties_.coupling(), "motion", "fixed", allowed.str()
+            );
         }
     }
 }

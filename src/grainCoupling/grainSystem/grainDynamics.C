@@ -57,6 +57,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     const grainChecks<D> checks(properties_, grains());
     checks.requireMasses();
     checks.requireLaws();
+    checks.requireRest();
     if (!restart)
     {
         checks.requireInside();

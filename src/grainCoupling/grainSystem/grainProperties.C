@@ -133,12 +133,21 @@ bool Foam::grainProperties<D>::readFixed() const
         return false;
     }
     const dictionary& dict = coupling();
-    const word motion(dict.getOrDefault<word>("motion", "free"));
-    if (motion != "free" && motion != "fixed")
+    const bool fixed =
+        dictionaryInput::getWordOrDefault
+        (
+            dict, "motion", "free", {"free", "fixed"}
+        )
+     == "fixed";
+
+    if (fixed && dict_.found("injections"))
     {
-        dictionaryInput::badValue(dict, "motion", motion, "free, fixed");
+        dictionaryInput::badValue
+        (
+            dict, "motion", "fixed", "free, where 'injections' let grains in"
+        );
     }
-    return motion == "fixed";
+    return fixed;
 }
 
 

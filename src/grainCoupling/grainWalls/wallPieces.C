@@ -60,6 +60,37 @@ Foam::labelList Foam::wallPieces::selectedPatches
 }
 
 
+void Foam::wallPieces::checkNoWalls
+(
+    const dictionary& dict,
+    const labelList& selected,
+    const dictionary& grainProperties,
+    const polyMesh& mesh
+)
+{
+    const dictionary& walls = grainProperties.subDict("walls");
+    for (const word& name : walls.toc())
+    {
+        const dictionary& wall = walls.subDict(name);
+        if (wall.get<word>("type") != "patches")
+        {
+            continue;
+        }
+        for (const label patchi : selectedPatches(wall, mesh))
+        {
+            if (selected.found(patchi))
+            {
+                dictionaryInput::badValue
+                (
+                    dict, "patches", mesh.boundaryMesh()[patchi].name(),
+                    "patches that are no walls of grains, as this is in 'walls'"
+                );
+            }
+        }
+    }
+}
+
+
 Foam::fileName Foam::wallPieces::surfaceFile
 (
     const dictionary& dict,

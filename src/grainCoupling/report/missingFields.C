@@ -3,12 +3,17 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "missingFluxes.H"
+#include "missingFields.H"
 
 #include "dictionaryInput.H"
 #include "surfaceFields.H"
 
-void Foam::reportMissingFluxes(const fvMesh& mesh, const wordList& fluxes)
+void Foam::reportMissingFields
+(
+    const fvMesh& mesh,
+    const wordList& fields,
+    const string& instead
+)
 {
     // Of a time that a run has written
     if (mesh.time().startTimeIndex() == 0)
@@ -17,10 +22,10 @@ void Foam::reportMissingFluxes(const fvMesh& mesh, const wordList& fluxes)
     }
 
     wordList missing;
-    for (const word& name : fluxes)
+    for (const word& name : fields)
     {
         IOobject io(name, mesh.time().timeName(), mesh);
-        if (!returnReduce(io.typeHeaderOk<surfaceScalarField>(true), andOp<bool>()))
+        if (!returnReduce(io.typeHeaderOk<surfaceScalarField>(false), andOp<bool>()))
         {
             missing.append(name);
         }
@@ -28,6 +33,6 @@ void Foam::reportMissingFluxes(const fvMesh& mesh, const wordList& fluxes)
     if (missing.size())
     {
         Info<< "Time " << mesh.time().timeName() << " has no "
-            << dictionaryInput::listed(missing).c_str() << ": made from U" << nl << endl;
+            << dictionaryInput::listed(missing).c_str() << ": " << instead.c_str() << nl << endl;
     }
 }

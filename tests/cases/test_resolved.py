@@ -134,8 +134,11 @@ def test_ranks_agree(clone, ranks):
     assert ledger(many)["mappingError"].max() <= 1e-12
 
 
-def test_stop_and_restart(clone):
+@pytest.mark.parametrize("scheme", ["Euler", "backward"])
+def test_stop_and_restart(clone, scheme):
     whole, parts = falling(clone, "whole"), falling(clone, "parts")
+    for case in (whole, parts):
+        replace(case, "system/fvSchemes", "Euler", scheme)
     run_whole_and_parts(whole, parts, "grainFoam", stop=0.06, end=0.12)
     assert_same(whole, parts)
 

@@ -6,6 +6,7 @@
 #include "DallavalleDiFelice.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "diFeliceDip.H"
 #include "dictionaryInput.H"
 
 namespace Foam
@@ -39,11 +40,8 @@ Foam::scalar Foam::dragLaws::DallavalleDiFelice::gamma
     const scalar mu
 )
 {
-    // The dip of the exponent vanishes on both sides; the floor only keeps
-    // the logarithm finite at rest
     const scalar Re = eps*rho*w*d/mu;
-    const scalar fromDip = 1.5 - std::log(std::max(Re, 1e-20))/M_LN10;
-    const scalar exponent = 2.8 - 0.65*std::exp(-0.5*fromDip*fromDip);
+    const scalar exponent = 2.8 - 0.65*diFeliceDip(Re);
     const scalar root = shapeFactor*(0.63*std::sqrt(Re) + 4.8);
 
     return std::pow(eps, -exponent)*root*root*mu/(d*d);

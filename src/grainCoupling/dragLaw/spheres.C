@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "Beetstra.H"
+#include "DiFelice.H"
 #include "ErgunWenYu.H"
 #include "KochHill.H"
 #include "Rong.H"
@@ -13,6 +14,7 @@
 #include "withoutCoefficients.H"
 
 addDragLawWithoutCoefficients(Beetstra)
+addDragLawWithoutCoefficients(DiFelice)
 addDragLawWithoutCoefficients(ErgunWenYu)
 addDragLawWithoutCoefficients(KochHill)
 addDragLawWithoutCoefficients(Rong)

@@ -35,7 +35,10 @@ TEST(DragOfSpheres, IsThatOfStokesForALoneSphereInCreepingFlow)
     {
         EXPECT_NEAR(coefficient(law, 1, 0), 18, 1e-12) << law;
     }
-    EXPECT_NEAR(coefficient("Rong", 1, 0), 17.28, 1e-12);    // Dallavalle's 4.8^2 3/4
+    for (const char* law : {"DiFelice", "Rong"})
+    {
+        EXPECT_NEAR(coefficient(law, 1, 0), 17.28, 1e-12) << law;    // Dallavalle's 4.8^2 3/4
+    }
     EXPECT_NEAR(coefficient("thesisPrinted", 1, 0), sqr(5.88), 1e-12);
 }
 
@@ -82,12 +85,25 @@ TEST(DragOfSpheres, HasTheFormOfCarmanInDenseBeds)
 TEST(DragOfSpheres, HasErgunsPressureDropInAPackedBed)
 {
     // fits to computed and measured beds differ by a fifth
-    for (const char* law : {"Beetstra", "KochHill", "Rong"})
+    for (const char* law : {"Beetstra", "DiFelice", "KochHill", "Rong"})
     {
         for (const scalar Re : {1.0, 10.0, 100.0})
         {
             EXPECT_NEAR(coefficient(law, 0.4, Re)/ergun(0.4, Re), 1, 0.2) << law << " at " << Re;
         }
+    }
+}
+
+
+TEST(DragOfSpheres, OfDiFeliceSettlesAsRichardsonAndZakiFound)
+{
+    // Without a flux of the mixture gamma v/eps = eps (rho_p - rho) g, v the speed of settling,
+    // in creeping flow as eps^2/gamma; Richardson and Zaki's power is 4.65
+    for (const scalar eps : {0.9, 0.8, 0.7, 0.6})
+    {
+        const scalar speed =
+            sqr(eps)*coefficient("DiFelice", 1, 0)/coefficient("DiFelice", eps, 0);
+        EXPECT_NEAR(speed/std::pow(eps, 4.65), 1, 0.03) << eps;
     }
 }
 

@@ -113,7 +113,7 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
 {
     for (const char* name :
         {
-            "Beetstra", "DallavalleDiFelice", "ErgunWenYu", "KochHill", "Rong",
+            "Beetstra", "DallavalleDiFelice", "DiFelice", "ErgunWenYu", "KochHill", "Rong",
             "SchillerNaumann", "Stokes", "thesisPrinted"
         })
     {

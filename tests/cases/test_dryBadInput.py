@@ -53,6 +53,7 @@ def heat(text, thermal="conductivity 1; heatCapacity 1; youngsModulus 1e9;"):
 
 
 BOX = "type box; box (0 0 0) (0.1 0.1 0.01);"
+SIEVE = "distribution { type sieve; by mass; passing 3; }"
 
 
 def injection(text):
@@ -206,6 +207,34 @@ TABLE = [
         section("shapes", "type cluster; centres ((0 0 0)); radii (1 2);"),
         ["'centres'", "as many radii"],
     ),
+    (
+        "shapeNoCentres",
+        section("shapes", "type cluster; centres 1; radii (1);"),
+        ["'centres'", "value 1", "a list of points"],
+    ),
+    (
+        "shapeNoRadii",
+        section("shapes", "type cluster; centres ((0 0 0)); radii wide;"),
+        ["'radii'", "value wide", "numbers > 0"],
+    ),
+    ("wallNoPatches", wall("type patches; patches 3;"), ["'patches'", "value 3", "left right"]),
+    (
+        "motionForce",
+        motion("type free; mass 1; centre (0 0 0); force 3;"),
+        ["'force'", "value 3", "a vector"],
+    ),
+    (
+        "lawOfOne",
+        section("contactLaws", "materials steel; type Coulomb; friction 1;"),
+        ["'materials'", "value steel", "a pair of"],
+    ),
+    (
+        "sieve",
+        injection(f"{BOX}\n#remove distribution\n{SIEVE}"),
+        ["'passing'", "value 3", "fractions that rise from 0 to 1"],
+    ),
+    ("outletNoBox", section("outlets", "type box;"), ["'box' is missing", "two corners"]),
+    ("injectionAll", injection(f"{BOX} total all;"), ["'total'", "all", "a value >= 0"]),
 ]
 
 

@@ -5,6 +5,7 @@
 
 #include "grainFluidExchange.H"
 
+#include "combineOverRanks.H"
 #include "fvcGrad.H"
 
 void Foam::grainFluidExchange::moveGrains
@@ -87,10 +88,8 @@ void Foam::grainFluidExchange::moveGrains
     }
     addLockedForce(U, force);
 
-    Pstream::listCombineGather(force, plusEqOp<vector>());
-    Pstream::listCombineScatter(force);
-    Pstream::listCombineGather(torque, plusEqOp<vector>());
-    Pstream::listCombineScatter(torque);
+    sumOverRanks(force);
+    sumOverRanks(torque);
     resolved_.addTorque(U, mu, torque);
 
     // What the fluid's equation holds of the grains, cell by cell

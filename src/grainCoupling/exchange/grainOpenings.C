@@ -5,6 +5,7 @@
 
 #include "grainFluidExchange.H"
 
+#include "combineOverRanks.H"
 #include "fvcFlux.H"
 
 void Foam::grainFluidExchange::setFreePatches(const volVectorField& U)
@@ -58,8 +59,7 @@ void Foam::grainFluidExchange::extendForce
     }
     if (grains_.motion().openings().size())
     {
-        Pstream::listCombineGather(moment, plusEqOp<vector>());
-        Pstream::listCombineScatter(moment);
+        sumOverRanks(moment);
     }
 
     outside_ = Zero;

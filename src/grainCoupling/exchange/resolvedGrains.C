@@ -6,6 +6,7 @@
 #include "resolvedGrains.H"
 
 #include "cellSizes.H"
+#include "combineOverRanks.H"
 #include "couplingOption.H"
 
 Foam::resolvedGrains::resolvedGrains
@@ -92,8 +93,7 @@ void Foam::resolvedGrains::findResolved()
             size[graini] += overlaps.volume[k]*cellSize_[overlaps.cell[k]];
         }
     }
-    Pstream::listCombineGather(size, plusEqOp<scalar>());
-    Pstream::listCombineScatter(size);
+    sumOverRanks(size);
 
     // A grain of just as many cells must not change with the round-off of its overlaps
     const scalar from = (1 - 1e-6)*from_;
@@ -163,8 +163,7 @@ void Foam::resolvedGrains::setDensity()
             density_[grain(celli)] += mesh_.V()[celli];
         }
     }
-    Pstream::listCombineGather(density_, plusEqOp<scalar>());
-    Pstream::listCombineScatter(density_);
+    sumOverRanks(density_);
 
     forAll(density_, graini)
     {

@@ -5,6 +5,7 @@
 
 #include "resolvedGrains.H"
 
+#include "combineOverRanks.H"
 #include "fvcSnGrad.H"
 
 void Foam::resolvedGrains::addTorque
@@ -74,10 +75,8 @@ void Foam::resolvedGrains::addTorque
                 resolvedFace::at(perSpeed, patchi, facei)*magSqr(arm);
         }
     );
-    Pstream::listCombineGather(viscous, plusEqOp<vector>());
-    Pstream::listCombineScatter(viscous);
-    Pstream::listCombineGather(resistance, plusEqOp<scalar>());
-    Pstream::listCombineScatter(resistance);
+    sumOverRanks(viscous);
+    sumOverRanks(resistance);
 
     const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)

@@ -5,6 +5,7 @@
 
 #include "resolvedGrains.H"
 
+#include "combineOverRanks.H"
 #include "fvcFlux.H"
 
 template<class Function>
@@ -46,10 +47,8 @@ Foam::vectorField Foam::resolvedGrains::meanOfCells
             sum[graini] += V[celli]*U[celli];
         }
     }
-    Pstream::listCombineGather(volume, plusEqOp<scalar>());
-    Pstream::listCombineScatter(volume);
-    Pstream::listCombineGather(sum, plusEqOp<vector>());
-    Pstream::listCombineScatter(sum);
+    sumOverRanks(volume);
+    sumOverRanks(sum);
 
     return sum/max(volume, VSMALL);
 }
@@ -193,10 +192,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::withoutForce
                *way*resolvedFace::at(mesh_.Sf(), patchi, facei);
         }
     );
-    Pstream::listCombineGather(sum, plusEqOp<vector>());
-    Pstream::listCombineScatter(sum);
-    Pstream::listCombineGather(mass, plusEqOp<tensor>());
-    Pstream::listCombineScatter(mass);
+    sumOverRanks(sum);
+    sumOverRanks(mass);
 
     // A grain at a boundary, or between others, may have no face across a
     // direction

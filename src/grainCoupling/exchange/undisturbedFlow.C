@@ -6,6 +6,7 @@
 #include "undisturbedFlow.H"
 
 #include "cellSizes.H"
+#include "combineOverRanks.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
 #include "missingFields.H"
@@ -144,10 +145,8 @@ void Foam::undisturbedFlow::set
                *tensor(cellU[celli], meanU[celli], excess[celli]);
         }
     }
-    Pstream::listCombineGather(scalars, plusEqOp<vector>());
-    Pstream::listCombineScatter(scalars);
-    Pstream::listCombineGather(flows, plusEqOp<tensor>());
-    Pstream::listCombineScatter(flows);
+    sumOverRanks(scalars);
+    sumOverRanks(flows);
 
     forAll(share_, graini)
     {

@@ -29,7 +29,9 @@ Foam::injectionRate::injectionRate(const dictionary& dict, const scalar now)
     ),
     total_
     (
-        dict.found("total") ? dict.get<scalar>("total") : GREAT
+        dict.found("total")
+      ? dictionaryInput::getAs<scalar>(dict, "total", "a value >= 0")
+      : GREAT
     ),
     owed_(0),
     paid_(0),

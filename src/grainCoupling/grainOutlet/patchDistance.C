@@ -5,8 +5,8 @@
 
 #include "patchDistance.H"
 
+#include "combineOverRanks.H"
 #include "emptyPolyPatch.H"
-#include "Pstream.H"
 
 Foam::autoPtr<Foam::patchDistance::tree> Foam::patchDistance::treeOf
 (
@@ -66,8 +66,7 @@ Foam::scalarField Foam::patchDistance::distances
             result[i] = mag(hit.rawPoint() - x[i]);
         }
     }
-    Pstream::listCombineGather(result, minEqOp<scalar>());
-    Pstream::listCombineScatter(result);
+    combineOverRanks(result, minEqOp<scalar>());
     return result;
 }
 

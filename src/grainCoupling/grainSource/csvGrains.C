@@ -21,7 +21,7 @@ Foam::grainSources::csv<D>::csv
 :
     grainSource<D>(dict, ctx),
     dict_(dict),
-    file_(dict.get<fileName>("file")),
+    file_(dictionaryInput::getAs<fileName>(dict, "file", "a table of grains")),
     material_(ctx.materials.index(dict, "material"))
 {
     dictionaryInput::checkKeywords

@@ -27,6 +27,10 @@ nscd::Box<D> Foam::readBox
       ? "two corners of a box in the plane of the mesh, as (0 0 0) (1 1 0)"
       : "two corners of a box, as (0 0 0) (1 1 1)"
     );
+    if (!dict.found("box"))
+    {
+        dictionaryInput::missing(dict, "box", allowed);
+    }
     ITstream& is = dict.lookup("box");
 
     // Two vectors of three numbers, with their brackets

@@ -5,13 +5,13 @@
 
 #include "grainChecks.H"
 
+#include "combineOverRanks.H"
 #include "dictionaryInput.H"
 
 #include "nscd/Members.hpp"
 #include "nscd/Neighbours.hpp"
 #include "nscd/WallContact.hpp"
 #include "OStringStream.H"
-#include "Pstream.H"
 
 #include <set>
 
@@ -56,8 +56,7 @@ Foam::labelList Foam::grainChecks<D>::outside() const
     {
         inside[i] = properties_.space().findCell(grains_.position[i]) >= 0;
     }
-    Pstream::listCombineGather(inside, maxEqOp<label>());
-    Pstream::listCombineScatter(inside);
+    combineOverRanks(inside, maxEqOp<label>());
 
     DynamicList<label> result;
     forAll(inside, i)

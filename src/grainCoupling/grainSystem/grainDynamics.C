@@ -5,9 +5,9 @@
 
 #include "grainDynamics.H"
 
+#include "combineOverRanks.H"
 #include "grainChecks.H"
 #include "OSspecific.H"
-#include "Pstream.H"
 
 template<int D>
 Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
@@ -151,8 +151,7 @@ void Foam::grainDynamics<D>::locate() const
         );
         found[i] = cell_[i] >= 0;
     }
-    Pstream::listCombineGather(found, maxEqOp<label>());
-    Pstream::listCombineScatter(found);
+    combineOverRanks(found, maxEqOp<label>());
 
     outside_.resize(size());
     forAll(found, i)

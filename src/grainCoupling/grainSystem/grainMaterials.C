@@ -54,7 +54,11 @@ void Foam::grainMaterials::readContactLaws()
     for (const word& name : laws.toc())
     {
         const dictionary& law = dictionaryInput::subDict(laws, name);
-        const Pair<word> pair(law.get<Pair<word>>("materials"));
+        const string allowed("a pair of " + dictionaryInput::listed(names_));
+        const Pair<word> pair
+        (
+            dictionaryInput::getAs<Pair<word>>(law, "materials", allowed)
+        );
 
         Pair<label> ij;
         forAll(pair, k)
@@ -62,11 +66,7 @@ void Foam::grainMaterials::readContactLaws()
             ij[k] = names_.find(pair[k]);
             if (ij[k] < 0)
             {
-                dictionaryInput::badValue
-                (
-                    law, "materials", pair[k],
-                    "a pair of " + dictionaryInput::listed(names_)
-                );
+                dictionaryInput::badValue(law, "materials", pair[k], allowed);
             }
         }
 
@@ -89,14 +89,7 @@ Foam::label Foam::grainMaterials::index
     const word& keyword
 ) const
 {
-    const word name(dict.get<word>(keyword));
-    const label i = names_.find(name);
-
-    if (i < 0)
-    {
-        dictionaryInput::badValue(dict, keyword, name, dictionaryInput::listed(names_));
-    }
-    return i;
+    return names_.find(dictionaryInput::getWord(dict, keyword, names_));
 }
 
 

@@ -84,14 +84,16 @@ void Foam::grainProperties<D>::check() const
         );
     }
 
-    const word shape(dict_.get<word>("shape"));
-    if (shape != grainSpace<D>::shape)
+    const string shape
+    (
+        string(grainSpace<D>::shape) + ", as this mesh is "
+      + (D == 2 ? "two" : "three") + "-dimensional"
+    );
+    if (dictionaryInput::getAs<word>(dict_, "shape", shape) != grainSpace<D>::shape)
     {
         dictionaryInput::badValue
         (
-            dict_, "shape", shape,
-            string(grainSpace<D>::shape) + ", as this mesh is "
-          + (D == 2 ? "two" : "three") + "-dimensional"
+            dict_, "shape", dictionaryInput::written(dict_, "shape"), shape
         );
     }
 
@@ -184,15 +186,13 @@ nscd::Settings Foam::grainProperties<D>::readContact() const
             dict, "blocks", Foam::name(settings.blocks), "a power of two"
         );
     }
-    const word solver(dict.getOrDefault<word>("solver", "sweeps"));
-    if (!solvers.found(solver))
-    {
-        dictionaryInput::badValue
+    settings.solver = solvers
+    [
+        dictionaryInput::getWordOrDefault
         (
-            dict, "solver", solver, dictionaryInput::listed(solvers.names())
-        );
-    }
-    settings.solver = solvers[solver];
+            dict, "solver", "sweeps", solvers.names()
+        )
+    ];
 
     const nscd::Vector<D> period(space_.fromSpace(meshPeriod(space_.mesh())));
     std::copy(period.data(), period.data() + D, settings.period.begin());

@@ -24,19 +24,28 @@ Foam::grainShapes<D>::grainShapes
     for (const word& name : shapes.toc())
     {
         const dictionary& shape = dictionaryInput::subDict(shapes, name);
-        const word type(shape.get<word>("type"));
-        if (type != "cluster")
-        {
-            dictionaryInput::badValue(shape, "type", type, "cluster");
-        }
+        dictionaryInput::getWord(shape, "type", {"cluster"});
         dictionaryInput::checkKeywords(shape, {"type", "centres", "radii"});
 
         nscd::Vectors<D> centres;
-        for (const point& x : shape.get<pointField>("centres"))
+        const pointField points
+        (
+            dictionaryInput::getAs<pointField>
+            (
+                shape, "centres", "a list of points, as ((0 0 0) (1 0 0))"
+            )
+        );
+        for (const point& x : points)
         {
             centres.push_back(space.fromSpace(x));
         }
-        const scalarList radii(shape.get<scalarList>("radii"));
+        const scalarList radii
+        (
+            dictionaryInput::getAs<scalarList>
+            (
+                shape, "radii", "a list of numbers > 0, as (1 1)"
+            )
+        );
         try
         {
             clusters_.push_back
@@ -80,16 +89,13 @@ Foam::label Foam::grainShapes<D>::find(const word& name) const
 template<int D>
 Foam::label Foam::grainShapes<D>::index(const dictionary& dict) const
 {
-    const word name(dict.getOrDefault<word>("shape", grainSpace<D>::shape));
-    const label i = find(name);
-    if (i < -1)
-    {
-        dictionaryInput::badValue
+    return find
+    (
+        dictionaryInput::getWordOrDefault
         (
-            dict, "shape", name, dictionaryInput::listed(names())
-        );
-    }
-    return i;
+            dict, "shape", grainSpace<D>::shape, names()
+        )
+    );
 }
 
 

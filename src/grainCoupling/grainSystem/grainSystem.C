@@ -5,9 +5,11 @@
 
 #include "grainSystem.H"
 
+#include "combineOverRanks.H"
 #include "dictionaryInput.H"
 #include "periodicCells.H"
-#include "Pstream.H"
+
+#include <algorithm>
 
 Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 :
@@ -54,8 +56,7 @@ void Foam::grainSystem::map()
             mappedVolume_[i] += overlaps_.volume[k];
         }
     }
-    Pstream::listCombineGather(mappedVolume_, plusEqOp<scalar>());
-    Pstream::listCombineScatter(mappedVolume_);
+    sumOverRanks(mappedVolume_);
     findAtOpenings();
 }
 
@@ -109,6 +110,10 @@ bool Foam::grainSystem::inject(const volVectorField& U)
 std::vector<bool> Foam::grainSystem::leaving() const
 {
     std::vector<bool> gone(motion_->leaving());
+    if (std::find(gone.begin(), gone.end(), true) == gone.end())
+    {
+        return gone;
+    }
     const boolList& outside = motion_->outside();
     forAll(outside, i)
     {

@@ -21,7 +21,15 @@ Foam::labelList Foam::wallPieces::selectedPatches
 )
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const wordRes names(dict.get<wordRes>("patches"));
+    const wordRes names
+    (
+        dictionaryInput::getAs<wordRes>
+        (
+            dict, "patches",
+            "a list of patches of the mesh "
+          + dictionaryInput::listed(patches.names())
+        )
+    );
 
     for (const wordRe& name : names)
     {
@@ -100,7 +108,10 @@ Foam::fileName Foam::wallPieces::surfaceFile
     const fileName file
     (
         runTime.globalPath()/runTime.constant()/"triSurface"
-       /dict.get<fileName>("file")
+       /dictionaryInput::getAs<fileName>
+        (
+            dict, "file", "a file of constant/triSurface"
+        )
     );
     if (!isFile(file))
     {

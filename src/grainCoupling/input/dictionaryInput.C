@@ -195,6 +195,19 @@ Foam::scalar Foam::dictionaryInput::getScalarOrDefault
 }
 
 
+Foam::vector Foam::dictionaryInput::getVectorOrZero
+(
+    const dictionary& dict,
+    const word& keyword
+)
+{
+    return
+        dict.found(keyword)
+      ? getAs<vector>(dict, keyword, "a vector, as (0 0 1)")
+      : vector::zero;
+}
+
+
 Foam::scalar Foam::dictionaryInput::getPositive
 (
     const dictionary& dict,

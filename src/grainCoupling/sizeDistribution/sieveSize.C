@@ -28,7 +28,12 @@ Foam::sizeDistributions::sieve::sieve(const dictionary& dict)
       ? nscd::SieveCurve::byMass
       : nscd::SieveCurve::byNumber;
 
-    for (const auto& entry : dict.get<List<Tuple2<scalar, scalar>>>("passing"))
+    const string allowed("radii > 0 and fractions that rise from 0 to 1");
+    const auto passing = dictionaryInput::getAs<List<Tuple2<scalar, scalar>>>
+    (
+        dict, "passing", allowed + ", as ((1e-3 0) (2e-3 1))"
+    );
+    for (const auto& entry : passing)
     {
         radii_.push_back(entry.first());
         passing_.push_back(entry.second());
@@ -42,8 +47,7 @@ Foam::sizeDistributions::sieve::sieve(const dictionary& dict)
         dictionaryInput::badValue
         (
             dict, "passing", Foam::name(label(radii_.size())) + " entries",
-            "radii > 0 and fractions that rise from 0 to 1; "
-          + string(err.what())
+            allowed + "; " + string(err.what())
         );
     }
 }

@@ -6,8 +6,8 @@
 #include "gaussianKernel.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "combineOverRanks.H"
 #include "dictionaryInput.H"
-#include "Pstream.H"
 #include "volFields.H"
 
 namespace Foam
@@ -66,8 +66,7 @@ void Foam::voidFractionMethods::gaussianKernel::map
         }
         weights.endGrain();
     }
-    Pstream::listCombineGather(total, plusEqOp<scalar>());
-    Pstream::listCombineScatter(total);
+    sumOverRanks(total);
 
     forAll(grains.centre, graini)
     {

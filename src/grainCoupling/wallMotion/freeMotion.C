@@ -19,7 +19,7 @@ Foam::wallMotions::free<D>::free
 :
     force_
     (
-        space.fromSpace(dict.getOrDefault<vector>("force", Zero))
+        space.fromSpace(dictionaryInput::getVectorOrZero(dict, "force"))
     )
 {
     dictionaryInput::checkKeywords
@@ -30,7 +30,7 @@ Foam::wallMotions::free<D>::free
     body_.mass = dictionaryInput::getPositive(dict, "mass", dimMass);
     body_.position = readPoint(dict, "centre", space);
     body_.velocity =
-        space.fromSpace(dict.getOrDefault<vector>("velocity", Zero));
+        space.fromSpace(dictionaryInput::getVectorOrZero(dict, "velocity"));
 
     if (dict.found("inertia"))
     {

@@ -97,6 +97,11 @@ def main():
     results.add(
         "tumbling, from that offset", first(time, apart <= 0), "s", 0.28, "5 %", OFFSET
     )
+    for source, value in ((OFFSET, 0.169), ("Koblitz et al. 2017", 0.182)):
+        results.add(
+            "distance of the centres 1.05 d, from that offset", first(time, distance < 1.05 * D),
+            "s", value, "5 %", source,
+        )  # fmt: skip
     results.add(
         "fastest trailing disc", -100 * trailing["vy"].min(), "cm/s", 18.15, "", SOURCE
     )

@@ -21,6 +21,7 @@ Description
 #include "effectiveViscosity.H"
 #include "exactSolution.H"
 #include "prescribedGrains.H"
+#include "timeScheme.H"
 
 //- Root mean square over the volume
 template<class Type>
@@ -74,7 +75,7 @@ int main(int argc, char *argv[])
     surfaceScalarField phiU("phiU", fvc::flux(U));
     surfaceScalarField phiAlpha
     (
-        "phiAlpha", fvc::flux((exchange.eps() + exchange.kappa())*U)
+        "phiAlpha", fvc::flux((exchange.fluidShare() + exchange.kappa())*U)
     );
     surfaceScalarField phi("phi", phiAlpha + fvc::flux(exchange.G()));
 

@@ -23,14 +23,12 @@ Description
 
 #include "adjustableTimeStep.H"
 #include "dictionaryInput.H"
-#include "effectiveViscosity.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"
-#include "HeleShaw.H"
 #include "incompleteTimes.H"
-#include "missingFields.H"
 #include "sigFpe.H"
-#include "timeScheme.H"
+#include "singleFluid.H"
+#include "vansFlow.H"
 
 int main(int argc, char *argv[])
 {
@@ -57,32 +55,34 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
-        exchange.inject(U);
-        timeStep.set(phiU);
+        exchange.inject(fields.U);
+        timeStep.set(fields.phiU);
         ++runTime;
 
-        ledger.startStep(phiU);
+        ledger.startStep(fields.phiU);
 
-        exchange.predict(U);
+        exchange.predict(fields.U);
+        fluid.correct();
 
-        #include "UEqn.H"
-
-        volVectorField gradP("gradP", pressureForce/share);
-
+        flow.startStep();
+        flow.predict(piso.momentumPredictor());
         while (piso.correct())
         {
-            #include "pEqn.H"
+            flow.correct(piso);
         }
 
-        ledger.checkFinite(U, p_rgh);
+        exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
+        exchange.discharge(fields.U, fields.phiU);
 
-        exchange.moveGrains(U, gradP, muf);
-        exchange.discharge(U, phiU);
-
-        ledger.endStep(phi, phiU);
+        ledger.endStep(fields.phi, fields.phiU);
         grains.checkLost();
 
-        #include "write.H"
+        if (runTime.writeTime())
+        {
+            grains.motion().beginWrite();
+            runTime.write();
+            grains.motion().endWrite();
+        }
     }
 
     Info<< "End\n" << endl;

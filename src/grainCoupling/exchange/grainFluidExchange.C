@@ -6,24 +6,8 @@
 #include "grainFluidExchange.H"
 
 #include "dictionaryInput.H"
+#include "lockedGrains.H"
 #include "zeroGradientFvPatchFields.H"
-
-template<class Type>
-Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
-Foam::grainFluidExchange::zeroField
-(
-    const word& name,
-    const dimensionSet& dims
-) const
-{
-    return GeometricField<Type, fvPatchField, volMesh>
-    (
-        IOobject(name, mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensioned<Type>(dims, Zero)
-    );
-}
-
 
 bool Foam::grainFluidExchange::readForm(const dictionary& dict)
 {
@@ -35,36 +19,12 @@ bool Foam::grainFluidExchange::readForm(const dictionary& dict)
 Foam::grainFluidExchange::grainFluidExchange
 (
     grainSystem& grains,
-    const dimensionedScalar& rho,
-    const dimensionedScalar& mu
+    const carrier& fluid
 )
 :
     grains_(grains),
     mesh_(grains.mesh()),
-    rho_(rho),
-    mu_(mu),
-    drag_
-    (
-        dragLaw::New
-        (
-            dictionaryInput::subDict
-            (
-                grains.motion().coupling(), "drag"
-            ),
-            mesh_.nGeometricD()
-        )
-    ),
-    addedMass_
-    (
-        dictionaryInput::getScalarOrDefault
-        (
-            grains.motion().coupling(), "addedMass", dimless, 0, 0
-        )
-    ),
-    lift_(liftLaw::all(grains.motion().coupling())),
-    gradientOnGrains_(readForm(grains.motion().coupling())),
-    undisturbed_(grains, gradientOnGrains_),
-    resolved_(grains, rho.value(), mu.value()),
+    weight_(grains, fluid),
     eps_
     (
         IOobject
@@ -79,14 +39,16 @@ Foam::grainFluidExchange::grainFluidExchange
         dimensionedScalar("eps", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
-    fluidShare_("fluidShare", eps_),
     overfull_(0),
-    kappa_(zeroField<scalar>("kappa", dimless)),
-    beta_(zeroField<scalar>("beta", dimDensity/dimTime)),
-    b_(zeroField<vector>("b", dimForce/dimVolume)),
-    G_(zeroField<vector>("G", dimVelocity)),
-    K_(zeroField<scalar>("K", dimTime/dimDensity)),
-    outside_(Zero),
+    fields_
+    (
+        mesh_,
+        readForm(grains.motion().coupling()),
+        grains.pressureDiffusion()
+    ),
+    unresolved_(grains, fluid, fields_.gradientOnGrains),
+    resolved_(lockedGrains::New(grains, fluid)),
+    openings_(grains, fluid),
     given_(Zero),
     received_(Zero)
 {
@@ -96,12 +58,10 @@ Foam::grainFluidExchange::grainFluidExchange
 
 void Foam::grainFluidExchange::setEps()
 {
-    const overlapList& overlaps = grains_.overlaps();
-
     scalarField solid(mesh_.nCells(), Zero);
-    for (label k = 0; k < overlaps.size(); ++k)
+    for (const cellOverlap& o : grains_.overlaps().all())
     {
-        solid[overlaps.cell[k]] += overlaps.volume[k];
+        solid[o.cell] += o.volume;
     }
     solid /= mesh_.V().field();
     grains_.voidFraction().smooth(solid);
@@ -134,103 +94,55 @@ Foam::tmp<Foam::volVectorField> Foam::grainFluidExchange::seenByGrains
 }
 
 
-void Foam::grainFluidExchange::predict(const volVectorField& cellU)
+void Foam::grainFluidExchange::setFluidShare()
 {
-    const stopwatch::lap lap(time_);
-    const tmp<volVectorField> tU(seenByGrains(cellU));
-    const volVectorField& U = tU();
+    if (!resolved_->isActive())
+    {
+        fields_.fluidShare == eps_;
+        return;
+    }
+
     const overlapList& overlaps = grains_.overlaps();
-    const scalar deltaT = mesh_.time().deltaTValue();
-
-    gamma_.resize(overlaps.size());
-    a_.resize(overlaps.size());
-    vo_.resize(overlaps.size());
-    resolved_.update();
-    setFluidShare();
-    setKnownForce(U);
-    undisturbed_.set(grains_, resolved_, eps_, U, *drag_, rho_.value(), mu_.value());
-
-    kappa_ = dimensionedScalar(kappa_.dimensions(), Zero);
-    beta_ = dimensionedScalar(beta_.dimensions(), Zero);
-    b_ = dimensionedVector(b_.dimensions(), Zero);
-    G_ = dimensionedVector(G_.dimensions(), Zero);
-    K_ = dimensionedScalar(K_.dimensions(), Zero);
-
-    const scalarField& V = mesh_.V();
+    volScalarField& share = fields_.fluidShare;
+    share == 1 - resolved_->locked();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        if
-        (
-            overlaps.start[graini] == overlaps.start[graini + 1]
-         || resolved_.isResolved(graini)
-        )
+        if (resolved_->isResolved(graini))
         {
             continue;
         }
-        const scalar rhop = grains_.motion().density(graini);
-        const scalar d = grains_.fluidDiameter(graini);
-        const grainMotion::twist motion(grains_.motion().motion(graini));
-        const grainMotion::twist freeMotion(this->freeMotion(graini));
-
-        for
-        (
-            label k = overlaps.start[graini];
-            k < overlaps.start[graini + 1];
-            ++k
-        )
+        for (const cellOverlap& o : overlaps.of(graini))
         {
-            const label celli = overlaps.cell[k];
-            const vector& arm = overlaps.arm[k];
-            const vector v(motion.at(arm));
-
-            const scalar eps = max(eps_[celli], epsMin);
-            gamma_[k] = drag_->gamma
-            (
-                eps, mag(U[celli] - v), d, rho_.value(), mu_.value()
-            );
-            if (!gradientOnGrains_)
-            {
-                gamma_[k] /= eps;
-            }
-            gamma_[k] = undisturbed_.corrected(gamma_[k], graini);
-            gamma_[k] += dragOfAddedMass();
-            a_[k] = 1/(1 + gamma_[k]*deltaT/rhop);
-            vo_[k] = freeMotion.at(arm) + deltaT/rhop*e_[k];
-
-            const scalar w = overlaps.volume[k]/V[celli];
-            const scalar wa = w*a_[k];
-            const scalar wag = wa*gamma_[k];
-            const scalar wat = wa*deltaT/rhop;
-            kappa_[celli] += wat*gamma_[k];
-            beta_[celli] += wag;
-            b_[celli] += wag*vo_[k] - w*e_[k];
-            G_[celli] += wa*vo_[k];
-            if (gradientOnGrains_)
-            {
-                K_[celli] += wat;
-            }
+            share[o.cell] -= o.volume/mesh_.V()[o.cell];
         }
     }
+    share.max(0);
+    share.correctBoundaryConditions();
+}
 
-    addLocked();
 
-    const voidFractionMethod& method = grains_.voidFraction();
-    method.smooth(kappa_.primitiveFieldRef());
-    method.smooth(beta_.primitiveFieldRef());
-    method.smooth(b_.primitiveFieldRef());
-    method.smooth(G_.primitiveFieldRef());
-    method.smooth(K_.primitiveFieldRef());
+void Foam::grainFluidExchange::predict(const volVectorField& cellU)
+{
+    const stopwatch::lap lap(time_);
+    const tmp<volVectorField> U(seenByGrains(cellU));
 
-    kappa_.correctBoundaryConditions();
-    beta_.correctBoundaryConditions();
-    b_.correctBoundaryConditions();
-    G_.correctBoundaryConditions();
-    K_.correctBoundaryConditions();
+    resolved_->update();
+    setFluidShare();
 
-    setFreePatches(cellU);
-    extrapolate(kappa_);
-    extrapolate(beta_);
-    extrapolate(b_);
-    extrapolate(G_);
-    extrapolate(K_);
+    fields_.clear();
+    unresolved_.predict(eps_, U(), *resolved_, fields_);
+    resolved_->addInertia(fields_);
+    fields_.smooth(grains_.voidFraction());
+    fields_.freePatches = openings_.freePatches(cellU);
+    fields_.correctBoundaryConditions();
+}
+
+
+void Foam::grainFluidExchange::inject(const volVectorField& U)
+{
+    const stopwatch::lap lap(time_);
+    if (grains_.inject(U))
+    {
+        setEps();
+    }
 }

@@ -6,7 +6,34 @@
 #include "grainFluidExchange.H"
 
 #include "combineOverRanks.H"
-#include "fvcGrad.H"
+#include "fvcFlux.H"
+
+Foam::vector Foam::grainFluidExchange::momentumOfCells
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+) const
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalar onGrains = fields_.gradientOnGrains;
+
+    vector result(Zero);
+    forAll(eps_, celli)
+    {
+        result += deltaT
+           *(
+                weight_.force((1 - eps_[celli])*mesh_.V()[celli], celli)
+              + mesh_.V()[celli]
+               *(
+                    onGrains*(fields_.kappa[celli] - 1 + fields_.fluidShare[celli])
+                   *gradP[celli]
+                  + fields_.beta[celli]*U[celli] - fields_.b[celli]
+                )
+            );
+    }
+    return returnReduce(result, sumOp<vector>());
+}
+
 
 void Foam::grainFluidExchange::moveGrains
 (
@@ -16,99 +43,76 @@ void Foam::grainFluidExchange::moveGrains
 )
 {
     const stopwatch::lap lap(time_);
-    const tmp<volVectorField> tU(seenByGrains(cellU));
-    const tmp<volVectorField> tGradP(seenByGrains(cellGradP));
-    const volVectorField& U = tU();
-    const volVectorField& gradP = tGradP();
-    const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = mesh_.time().deltaTValue();
-    const scalar rho = rho_.value();
-    const vector& g = grains_.motion().g();
-    const scalar onGrains = gradientOnGrains_;
-
-    // For the torque, the fluid's velocity where the overlap is: a grain that
-    // straddles two cells would take their difference for a spin
-    const volTensorField gradU(fvc::grad(U));
-
-    const vectorField& C = mesh_.C();
 
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
-
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        const scalar rhop = grains_.motion().density(graini);
-        const bool isResolved = resolved_.isResolved(graini);
-        const bool isCluster = grains_.members(graini).size() > 1;
-
-        for
-        (
-            label k = overlaps.start[graini];
-            k < overlaps.start[graini + 1];
-            ++k
-        )
-        {
-            const label celli = overlaps.cell[k];
-            const scalar V = overlaps.volume[k];
-            force[graini] -= V*rho*g;
-
-            if (isResolved)
-            {
-                // The pressure on a disc or sphere has no moment
-                if (isCluster)
-                {
-                    torque[graini] -= V*(overlaps.arm[k] ^ gradP[celli]);
-                }
-                continue;
-            }
-
-            const vector f
-            (
-                V
-               *(
-                  - onGrains*gradP[celli]
-                  + gamma_[k]*a_[k]
-                   *(U[celli] - vo_[k] + onGrains*deltaT/rhop*gradP[celli])
-                  + e_[k]
-                )
-            );
-            const vector fromCentre
-            (
-                overlaps.arm[k]
-              - grains_.shortest(C[celli] - grains_.centres()[graini])
-            );
-            const vector shear
-            (
-                V*(gamma_[k] - dragOfAddedMass())*a_[k]
-               *(fromCentre & gradU[celli])
-            );
-            force[graini] += f;
-            torque[graini] += overlaps.arm[k] ^ (f + shear);
-        }
+        const tmp<volVectorField> U(seenByGrains(cellU));
+        const tmp<volVectorField> gradP(seenByGrains(cellGradP));
+        unresolved_.addForce(U(), gradP(), *resolved_, force, torque);
     }
-    addLockedForce(U, force);
+    resolved_->addPressureTorque(cellGradP, torque);
+    resolved_->addForce(cellU, force);
 
     sumOverRanks(force);
     sumOverRanks(torque);
-    resolved_.addTorque(U, mu, torque);
+    resolved_->addViscousTorque(cellU, mu, torque);
 
-    // What the fluid's equation holds of the grains, cell by cell
-    given_ = Zero;
-    forAll(eps_, celli)
-    {
-        given_ += deltaT*mesh_.V()[celli]
-           *(
-              - (1 - eps_[celli])*rho*g
-              + onGrains*(kappa_[celli] - 1 + fluidShare_[celli])
-               *cellGradP[celli]
-              + beta_[celli]*cellU[celli] - b_[celli]
-            );
-    }
-    reduce(given_, sumOp<vector>());
+    given_ = momentumOfCells(cellU, cellGradP);
     received_ = deltaT*sum(force);
-    extendForce(force, torque);
+    openings_.extendForce(*resolved_, force, torque);
 
-    undisturbed_.keep(cellGradP);
+    unresolved_.keep(cellGradP);
     grains_.move(force, torque, deltaT);
     setEps();
+}
+
+
+void Foam::grainFluidExchange::discharge
+(
+    volVectorField& U,
+    surfaceScalarField& phiU
+)
+{
+    const stopwatch::lap lap(time_);
+    const std::vector<bool> gone(grains_.leaving());
+    scalarField share;
+    vectorField flux;
+    const bool isAny = openings_.shareOf(gone, share, flux);
+    grains_.discharge(gone);
+
+    filled_.clear();
+    if (!isAny)
+    {
+        return;
+    }
+    grains_.voidFraction().smooth(share);
+    grains_.voidFraction().smooth(flux);
+
+    // The fluid that takes their place moves as they did: the mixture's velocity
+    // stays, and no pressure is needed to change it
+    volVectorField change
+    (
+        IOobject("changeOfU", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero)
+    );
+    filled_ = -eps_.primitiveField();
+    forAll(share, celli)
+    {
+        if (share[celli] > 0)
+        {
+            change[celli] =
+                (flux[celli] - share[celli]*U[celli])
+               /(eps_[celli] + share[celli]);
+        }
+    }
+    setEps();
+    filled_ += eps_.primitiveField();
+
+    change.correctBoundaryConditions();
+    U += change;
+    U.correctBoundaryConditions();
+    phiU += fvc::flux(change);
 }

@@ -7,27 +7,18 @@
 
 #include "cellSizes.H"
 #include "combineOverRanks.H"
-#include "couplingOption.H"
 
 Foam::resolvedGrains::resolvedGrains
 (
     const grainSystem& grains,
-    const scalar rho,
-    const scalar mu
+    const carrier& fluid,
+    const scalar from
 )
 :
     grains_(grains),
     mesh_(grains.mesh()),
-    rho_(rho),
-    mu_(mu),
-    from_
-    (
-        couplingOption
-        (
-            grains.motion().coupling(), "resolvedGrains", "locked",
-            {"from", 4, 2, 100}, grains.voidFraction().resolves()
-        ).value_or(GREAT)
-    ),
+    fluid_(fluid),
+    from_(from),
     cellSize_(cellSizes(mesh_)),
     smallestCell_(gMin(cellSize_)),
     isActive_(false),
@@ -83,14 +74,9 @@ void Foam::resolvedGrains::findResolved()
     scalarField size(grains_.size(), Zero);
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        for
-        (
-            label k = overlaps.start[graini];
-            k < overlaps.start[graini + 1];
-            ++k
-        )
+        for (const cellOverlap& o : overlaps.of(graini))
         {
-            size[graini] += overlaps.volume[k]*cellSize_[overlaps.cell[k]];
+            size[graini] += o.volume*cellSize_[o.cell];
         }
     }
     sumOverRanks(size);
@@ -118,22 +104,20 @@ void Foam::resolvedGrains::lockCells()
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        for
-        (
-            label k = overlaps.start[graini];
-            isResolved_[graini] && k < overlaps.start[graini + 1];
-            ++k
-        )
+        if (!isResolved_[graini])
         {
-            const label celli = overlaps.cell[k];
-            const point& x = mesh_.C()[celli];
+            continue;
+        }
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const point& x = mesh_.C()[o.cell];
             const scalar d = depth(graini, x);
-            const label other = grain(celli);
+            const label other = grain(o.cell);
 
             if (d > 0 && (other < 0 || d > depth(other, x)))
             {
-                grain_[celli] = graini;
-                locked_[celli] = 1;
+                grain_[o.cell] = graini;
+                locked_[o.cell] = 1;
             }
         }
     }
@@ -150,8 +134,10 @@ void Foam::resolvedGrains::setDensity()
         constexpr scalar held = 1e4;
 
         const scalar viscous =
-            mu_*mesh_.time().deltaTValue()/sqr(smallestCell_);
-        density_ = scalarField(grains_.size(), held*(rho_ + viscous));
+            gMax(fluid_.mu().primitiveField())*mesh_.time().deltaTValue()
+           /sqr(smallestCell_);
+        const scalar rho = gMax(fluid_.rho().primitiveField());
+        density_ = scalarField(grains_.size(), held*(rho + viscous));
         return;
     }
 

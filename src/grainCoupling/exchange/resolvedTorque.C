@@ -5,8 +5,8 @@
 
 #include "resolvedGrains.H"
 
-#include "combineOverRanks.H"
 #include "fvcSnGrad.H"
+#include "meanOverGrains.H"
 
 void Foam::resolvedGrains::addTorque
 (
@@ -78,6 +78,7 @@ void Foam::resolvedGrains::addTorque
     sumOverRanks(viscous);
     sumOverRanks(resistance);
 
+    const scalarField grainMu(meanOverGrains(grains_, fluid_.mu()));
     const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)
     {
@@ -91,7 +92,7 @@ void Foam::resolvedGrains::addTorque
            *squaredGyration*sqr(grains_.fluidDiameter(graini));
 
         torque[graini] +=
-            (viscous[graini] - 2*mu_*V*grains_.motion().spin(graini))
+            (viscous[graini] - 2*grainMu[graini]*V*grains_.motion().spin(graini))
            /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
     }
 }

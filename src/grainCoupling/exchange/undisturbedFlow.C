@@ -6,9 +6,9 @@
 #include "undisturbedFlow.H"
 
 #include "cellSizes.H"
-#include "combineOverRanks.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
+#include "meanOverGrains.H"
 #include "missingFields.H"
 
 Foam::undisturbedFlow::undisturbedFlow
@@ -58,129 +58,169 @@ Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
 }
 
 
-void Foam::undisturbedFlow::set
+bool Foam::undisturbedFlow::matters
 (
     const grainSystem& grains,
-    const resolvedGrains& resolved,
-    const volScalarField& eps,
-    const volVectorField& U,
-    const dragLaw& law,
-    const scalar rho,
-    const scalar mu
-)
+    const resolvedTerm& resolved,
+    scalar& meanDiameter
+) const
 {
-    isActive_ = false;
-    if (width_ <= 0)
-    {
-        return;
-    }
-
     scalar smallest = GREAT, largest = 0, sum = 0;
     label number = 0;
     for (label i = 0; i < grains.size(); ++i)
     {
-        if (resolved.isResolved(i))
+        if (!resolved.isResolved(i))
         {
-            continue;
+            const scalar d = grains.fluidDiameter(i);
+            ++number;
+            smallest = min(smallest, d);
+            largest = max(largest, d);
+            sum += d;
         }
-        ++number;
-        const scalar d = grains.fluidDiameter(i);
-        smallest = min(smallest, d);
-        largest = max(largest, d);
-        sum += d;
     }
-    isActive_ =
-        largest > 0.5*cellSizeRange_.first()
+    meanDiameter = sum/max(number, 1);
+    return
+        width_ > 0
+     && largest > 0.5*cellSizeRange_.first()
      && smallest < 4*cellSizeRange_.second();
+}
 
-    if (!isActive_)
-    {
-        return;
-    }
 
-    const scalar spread = sqr(width_*sum/number)/24;
-    const auto filtered = [&](const auto& x)
+Foam::undisturbedFlow::neighbourhood Foam::undisturbedFlow::filtered
+(
+    const volScalarField& eps,
+    const volVectorField& U,
+    const scalar meanDiameter
+) const
+{
+    const scalar spread = sqr(width_*meanDiameter)/24;
+    const auto filter = [&](const auto& x)
     {
         return implicitDiffusion(mesh_, x, spread, 1, 1e-9);
     };
     const scalarField& cellEps = eps.primitiveField();
-    const vectorField& cellU = U.primitiveField();
     const vectorField& cellGradP = gradP_.primitiveField();
 
-    const scalarField meanEps(filtered(cellEps));
-    const vectorField meanU
-    (
-        filtered(vectorField(cellEps*cellU))
-       /max(meanEps, SMALL)
-    );
-    vectorField excess(cellU.size(), Zero);
+    neighbourhood result;
+    result.eps = filter(cellEps);
+    result.U =
+        filter(vectorField(cellEps*U.primitiveField()))/max(result.eps, SMALL);
+    result.excessGradP = vectorField(U.size(), Zero);
     if (gradientOnGrains_)
     {
-        excess = filtered(cellGradP) - cellGradP;
+        result.excessGradP = filter(cellGradP) - cellGradP;
     }
+    return result;
+}
 
+
+Foam::List<Foam::undisturbedFlow::flowAround> Foam::undisturbedFlow::around
+(
+    const grainSystem& grains,
+    const volVectorField& U,
+    const neighbourhood& flow
+) const
+{
     const overlapList& overlaps = grains.overlaps();
-    share_.resize(grains.size());
-    coefficient_.resize(grains.size());
-
-    // Over each grain: of 1, the cell's size, the undisturbed fluid fraction;
-    // of the velocity, the undisturbed one, and the excess
-    vectorField scalars(grains.size(), Zero);
-    tensorField flows(grains.size(), Zero);
+    List<flowAround> result(grains.size());
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        for
-        (
-            label k = overlaps.start[graini];
-            k < overlaps.start[graini + 1];
-            ++k
-        )
+        flowAround& sum = result[graini];
+        for (const cellOverlap& o : overlaps.of(graini))
         {
-            const label celli = overlaps.cell[k];
-            scalars[graini] +=
-                overlaps.volume[k]
-               *vector(1, cellSize_[celli], meanEps[celli]);
-            flows[graini] +=
-                overlaps.volume[k]
-               *tensor(cellU[celli], meanU[celli], excess[celli]);
+            sum.volume += o.volume;
+            sum.cellSize += o.volume*cellSize_[o.cell];
+            sum.eps += o.volume*flow.eps[o.cell];
+            sum.U += o.volume*U[o.cell];
+            sum.undisturbedU += o.volume*flow.U[o.cell];
+            sum.excessGradP += o.volume*flow.excessGradP[o.cell];
         }
     }
-    sumOverRanks(scalars);
-    sumOverRanks(flows);
+    sumRecordsOverRanks(result);
 
+    for (flowAround& mean : result)
+    {
+        const scalar volume = max(mean.volume, VSMALL);
+        mean.cellSize /= volume;
+        mean.eps /= volume;
+        mean.U /= volume;
+        mean.undisturbedU /= volume;
+        mean.excessGradP /= volume;
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::undisturbedFlow::coefficient
+(
+    const flowAround& flow,
+    const vector& v,
+    const scalar d,
+    const dragLaw& law,
+    const scalar rho,
+    const scalar mu
+) const
+{
+    // Of a grain that moves with the fluid, the law's own coefficient remains
+    const vector w(flow.U - v);
+    const scalar least = 1e-8*mu/(rho*d);
+    const scalar slip = mag(w) + least;
+    const scalar undisturbedSlip = mag(flow.undisturbedU - v);
+
+    scalar drag =
+        (undisturbedSlip + least)
+       *law.gamma(flow.eps, undisturbedSlip, d, rho, mu);
+    if (gradientOnGrains_)
+    {
+        drag = max(drag - (flow.excessGradP & w)/slip, 0.05*drag);
+    }
+    else
+    {
+        drag /= flow.eps;
+    }
+    return drag/slip;
+}
+
+
+void Foam::undisturbedFlow::set
+(
+    const grainSystem& grains,
+    const resolvedTerm& resolved,
+    const carrier& fluid,
+    const volScalarField& eps,
+    const volVectorField& U,
+    const dragLaw& law
+)
+{
+    scalar meanDiameter;
+    isActive_ = matters(grains, resolved, meanDiameter);
+    if (!isActive_)
+    {
+        return;
+    }
+    const List<flowAround> flows
+    (
+        around(grains, U, filtered(eps, U, meanDiameter))
+    );
+    const scalarField rho(meanOverGrains(grains, fluid.rho()));
+    const scalarField mu(meanOverGrains(grains, fluid.mu()));
+
+    share_.resize(grains.size());
+    coefficient_.resize(grains.size());
     forAll(share_, graini)
     {
-        const scalar volume = max(scalars[graini].x(), VSMALL);
-        const vector mean(scalars[graini]/volume);
-        const tensor flow(flows[graini]/volume);
+        const flowAround& flow = flows[graini];
         const scalar d = grains.fluidDiameter(graini);
 
-        share_[graini] = weight(d/max(mean.y(), VSMALL));
-        if (share_[graini] <= 0)
+        share_[graini] = weight(d/max(flow.cellSize, VSMALL));
+        if (share_[graini] > 0)
         {
-            continue;
+            coefficient_[graini] = coefficient
+            (
+                flow, grains.motion().velocity(graini), d, law,
+                rho[graini], mu[graini]
+            );
         }
-
-        // Of a grain that moves with the fluid, the law's own coefficient
-        // remains
-        const vector v(grains.motion().velocity(graini));
-        const vector w(flow.x() - v);
-        const scalar least = 1e-8*mu/(rho*d);
-        const scalar slip = mag(w) + least;
-        const scalar undisturbedSlip = mag(flow.y() - v);
-
-        scalar drag =
-            (undisturbedSlip + least)
-           *law.gamma(mean.z(), undisturbedSlip, d, rho, mu);
-        if (gradientOnGrains_)
-        {
-            drag = max(drag - (flow.z() & w)/slip, 0.05*drag);
-        }
-        else
-        {
-            drag /= mean.z();
-        }
-        coefficient_[graini] = drag/slip;
     }
 }
 

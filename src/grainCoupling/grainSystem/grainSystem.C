@@ -51,9 +51,9 @@ void Foam::grainSystem::map()
     forAll(mappedVolume_, i)
     {
         mappedVolume_[i] = 0;
-        for (label k = overlaps_.start[i]; k < overlaps_.start[i + 1]; ++k)
+        for (const cellOverlap& o : overlaps_.of(i))
         {
-            mappedVolume_[i] += overlaps_.volume[k];
+            mappedVolume_[i] += o.volume;
         }
     }
     sumOverRanks(mappedVolume_);

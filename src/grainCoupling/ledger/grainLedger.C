@@ -6,7 +6,6 @@
 #include "grainLedger.H"
 
 #include "fvc.H"
-#include "OSspecific.H"
 #include "PstreamReduceOps.H"
 
 Foam::grainLedger::grainLedger
@@ -133,49 +132,4 @@ void Foam::grainLedger::closeMomentum()
             mag(before_.momentum) + mag(weight) + mag(fluid) + mag(walls),
             VSMALL
         );
-}
-
-
-void Foam::grainLedger::checkFinite
-(
-    const volVectorField& U,
-    const volScalarField& p
-) const
-{
-    label bad = -1;
-    forAll(U, celli)
-    {
-        if (!std::isfinite(mag(U[celli])) || !std::isfinite(p[celli]))
-        {
-            bad = celli;
-            break;
-        }
-    }
-
-    if (returnReduce(bad, maxOp<label>()) >= 0)
-    {
-        // Without the grains' state and marked incomplete: no run continues
-        // from this time
-        const Time& runTime = mesh_.time();
-        const_cast<Time&>(runTime).writeNow();
-        if (Pstream::master())
-        {
-            const fileName dir(runTime.globalPath()/runTime.timeName());
-            mkDir(dir);
-            OFstream(dir/"grains.h5.notFinite")()
-                << "The fluid's solution is not finite" << endl;
-        }
-
-        if (bad >= 0)
-        {
-            FatalErrorInFunction
-                << "The fluid's solution is not finite at time "
-                << mesh_.time().timeName() << ", first in cell " << bad
-                << " at " << mesh_.C()[bad] << ": U = " << U[bad]
-                << ", p_rgh = " << p[bad] << nl
-                << "    the Courant number was " << maxCourant_
-                << "; the fields are written for a look, a run continues from"
-                << " the last complete time" << exit(FatalError);
-        }
-    }
 }

@@ -35,12 +35,12 @@ Foam::adjustableTimeStep::adjustableTimeStep
 (
     Time& runTime,
     const grainSystem& grains,
-    const scalar rho
+    const carrier& fluid
 )
 :
     time_(runTime),
     grains_(grains),
-    rho_(rho)
+    weight_(grains, fluid)
 {
     requireTimeStep(runTime);
     limits checked(runTime.controlDict());
@@ -104,20 +104,14 @@ Foam::scalar Foam::adjustableTimeStep::courantOfGrains() const
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         const vector v(grains_.motion().motion(graini).velocity);
-        for
-        (
-            label k = overlaps.start[graini];
-            k < overlaps.start[graini + 1];
-            ++k
-        )
+        for (const cellOverlap& o : overlaps.of(graini))
         {
-            const label celli = overlaps.cell[k];
             scalar sum = 0;
-            for (const label facei : mesh.cells()[celli])
+            for (const label facei : mesh.cells()[o.cell])
             {
                 sum += mag(v & Sf[facei]);
             }
-            worst = max(worst, 0.5*sum/mesh.V()[celli]);
+            worst = max(worst, 0.5*sum/mesh.V()[o.cell]);
         }
     }
     return returnReduce(worst, maxOp<scalar>());
@@ -130,6 +124,7 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
 ) const
 {
     const grainMotion& motion = grains_.motion();
+    const Pair<scalar> rho(weight_.rhoRange());
     scalar smallest = GREAT;
     for (label i = 0; i < grains_.size(); ++i)
     {
@@ -139,7 +134,12 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
     scalar limit = GREAT;
     for (label i = 0; i < grains_.size(); ++i)
     {
-        const scalar a = mag(motion.reducedGravity(i, rho_));
+        const buoyancy::ofGrain weight(weight_.of(i));
+        const scalar a = max
+        (
+            mag(weight.acceleration(rho.first())),
+            mag(weight.acceleration(rho.second()))
+        );
         const scalar v = mag(motion.motion(i).velocity);
         limit = min(limit, timeToMove(fraction*2*smallest, v, a));
     }

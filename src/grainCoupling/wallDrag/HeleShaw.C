@@ -7,7 +7,7 @@
 
 #include "dictionaryInput.H"
 
-Foam::scalar Foam::HeleShawDrag(const dictionary& dict, const scalar mu)
+Foam::scalar Foam::HeleShawPlates(const dictionary& dict)
 {
     if (!dict.found("HeleShaw"))
     {
@@ -16,5 +16,5 @@ Foam::scalar Foam::HeleShawDrag(const dictionary& dict, const scalar mu)
     const dictionary& plates = dictionaryInput::subDict(dict, "HeleShaw");
     dictionaryInput::checkKeywords(plates, {"gap"});
 
-    return 12*mu/sqr(dictionaryInput::getPositive(plates, "gap", dimLength));
+    return 12/sqr(dictionaryInput::getPositive(plates, "gap", dimLength));
 }

@@ -3,9 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-if (runTime.writeTime())
+#include "buoyancy.H"
+
+#include "meanOverGrains.H"
+
+Foam::scalarField Foam::buoyancy::displaced() const
 {
-    grains.motion().beginWrite();
-    runTime.write();
-    grains.motion().endWrite();
+    return meanOverGrains(grains_, rho_);
 }

@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "exchangeFields.H"
+
+#include "voidFractionMethod.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace
+{
+
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh> zeroField
+(
+    const Foam::fvMesh& mesh,
+    const Foam::word& name,
+    const Foam::dimensionSet& dims
+)
+{
+    using namespace Foam;
+    return GeometricField<Type, fvPatchField, volMesh>
+    (
+        IOobject(name, mesh.time().timeName(), mesh),
+        mesh,
+        dimensioned<Type>(dims, Zero)
+    );
+}
+
+
+//- Free patches have the values of their cells
+template<class Type>
+void correctPatches
+(
+    Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>& field,
+    const Foam::labelHashSet& freePatches
+)
+{
+    using namespace Foam;
+    field.correctBoundaryConditions();
+    for (const label patchi : freePatches)
+    {
+        fvPatchField<Type>& patch = field.boundaryFieldRef()[patchi];
+        patch == patch.patchInternalField();
+    }
+}
+
+}
+
+
+Foam::exchangeFields::exchangeFields
+(
+    const fvMesh& mesh,
+    const bool gradientActsOnGrains,
+    const scalar artificialDiffusion
+)
+:
+    fluidShare
+    (
+        IOobject("fluidShare", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    kappa(zeroField<scalar>(mesh, "kappa", dimless)),
+    beta(zeroField<scalar>(mesh, "beta", dimDensity/dimTime)),
+    b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
+    G(zeroField<vector>(mesh, "G", dimVelocity)),
+    K(zeroField<scalar>(mesh, "K", dimTime/dimDensity)),
+    gradientOnGrains(gradientActsOnGrains),
+    pressureDiffusion(artificialDiffusion)
+{}
+
+
+void Foam::exchangeFields::clear()
+{
+    kappa = dimensionedScalar(kappa.dimensions(), Zero);
+    beta = dimensionedScalar(beta.dimensions(), Zero);
+    b = dimensionedVector(b.dimensions(), Zero);
+    G = dimensionedVector(G.dimensions(), Zero);
+    K = dimensionedScalar(K.dimensions(), Zero);
+}
+
+
+void Foam::exchangeFields::smooth(const voidFractionMethod& method)
+{
+    method.smooth(kappa.primitiveFieldRef());
+    method.smooth(beta.primitiveFieldRef());
+    method.smooth(b.primitiveFieldRef());
+    method.smooth(G.primitiveFieldRef());
+    method.smooth(K.primitiveFieldRef());
+}
+
+
+void Foam::exchangeFields::correctBoundaryConditions()
+{
+    correctPatches(kappa, freePatches);
+    correctPatches(beta, freePatches);
+    correctPatches(b, freePatches);
+    correctPatches(G, freePatches);
+    correctPatches(K, freePatches);
+}

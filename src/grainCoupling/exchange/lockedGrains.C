@@ -1,0 +1,165 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "lockedGrains.H"
+
+#include "couplingOption.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "noResolvedTerm.H"
+
+Foam::autoPtr<Foam::resolvedTerm> Foam::lockedGrains::New
+(
+    const grainSystem& grains,
+    const carrier& fluid
+)
+{
+    const std::optional<scalar> from
+    (
+        couplingOption
+        (
+            grains.motion().coupling(), "resolvedGrains", "locked",
+            {"from", 4, 2, 100}, grains.voidFraction().resolves()
+        )
+    );
+    return
+        from
+      ? autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *from))
+      : autoPtr<resolvedTerm>(new noResolvedTerm(grains.mesh()));
+}
+
+
+Foam::lockedGrains::lockedGrains
+(
+    const grainSystem& grains,
+    const carrier& fluid,
+    const scalar from
+)
+:
+    grains_(grains),
+    mesh_(grains.mesh()),
+    fluid_(fluid),
+    weight_(grains, fluid),
+    cells_(grains, fluid, from),
+    freeU_
+    (
+        IOobject("freeU", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero)
+    ),
+    rigidForce_
+    (
+        IOobject("rigidForce", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimForce/dimLength, Zero)
+    )
+{}
+
+
+void Foam::lockedGrains::setFreeMotion()
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalarField rho(weight_.displaced());
+
+    free_.resize(grains_.size());
+    forAll(free_, graini)
+    {
+        if (cells_.isResolved(graini))
+        {
+            free_[graini] =
+                motionInStep(grains_.motion(), weight_, graini, deltaT)
+               .in(rho[graini]);
+        }
+    }
+
+    freeU_ == dimensionedVector(dimVelocity, Zero);
+    forAll(freeU_, celli)
+    {
+        const label graini = cells_.grain(celli);
+        if (graini >= 0)
+        {
+            freeU_[celli] = free_[graini].at(cells_.arm(celli));
+        }
+    }
+    freeU_.correctBoundaryConditions();
+}
+
+
+void Foam::lockedGrains::update()
+{
+    cells_.update();
+    if (isActive())
+    {
+        setFreeMotion();
+        rigidForce_ == dimensionedScalar(rigidForce_.dimensions(), Zero);
+    }
+}
+
+
+void Foam::lockedGrains::addInertia(exchangeFields& fields) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const scalar deltaT = mesh_.time().deltaTValue();
+    forAll(freeU_, celli)
+    {
+        const label graini = cells_.grain(celli);
+        if (graini >= 0)
+        {
+            const scalar inertia = cells_.density(graini)/deltaT;
+            fields.kappa[celli] += 1;
+            fields.beta[celli] += inertia;
+            fields.b[celli] += inertia*freeU_[celli];
+        }
+    }
+}
+
+
+void Foam::lockedGrains::addToMomentum
+(
+    fvVectorMatrix& UEqn,
+    const volScalarField& rho,
+    const surfaceScalarField& flux,
+    const surfaceScalarField& mu
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    UEqn +=
+        (1 - locked())*rho
+       *fvc::surfaceIntegrate(flux*cells_.faceExcess(UEqn.psi()));
+    UEqn -= fvc::surfaceIntegrate
+    (
+        mu*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()*cells_.wallJump()
+    );
+}
+
+
+void Foam::lockedGrains::predict
+(
+    fvVectorMatrix& UEqn,
+    const volVectorField& pressureForce
+) const
+{
+    if (!isActive())
+    {
+        resolvedTerm::predict(UEqn, pressureForce);
+        return;
+    }
+
+    // Grains move as rigid bodies within the step.  What holds them together is
+    // known from then on: it would slow down the correction of the pressure.
+    const surfaceScalarField& stiff = cells_.rigidity();
+    const fvVectorMatrix rigidity
+    (
+        fvm::laplacian(stiff, UEqn.psi()) - fvc::laplacian(stiff, freeU_)
+    );
+    solve(UEqn - rigidity == -pressureForce);
+    UEqn -= (rigidity & UEqn.psi());
+}

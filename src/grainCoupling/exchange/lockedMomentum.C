@@ -1,0 +1,130 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "lockedGrains.H"
+
+#include "fvc.H"
+
+void Foam::lockedGrains::startCorrections
+(
+    const volScalarField& inertia,
+    const volScalarField& A,
+    const surfaceScalarField& drag,
+    surfaceScalarField& mobility
+)
+{
+    if (!isActive())
+    {
+        return;
+    }
+
+    // All the inertia of the two cells, the grain's, too.  What fluid beside a
+    // grain has from its neighbours does not take it through the surface: there,
+    // viscosity holds it to the grain.
+    const surfaceScalarField& faces = cells_.lockedFaces();
+    inertia_ = fvc::interpolate((1 - locked())*inertia);
+    hold_ = fvc::interpolate((1 - locked())*A) - inertia_();
+    mobility_ = 1/(fvc::interpolate(A) + drag);
+    mobility = (1 - faces)*mobility + faces*mobility_();
+}
+
+
+void Foam::lockedGrains::correctFlux
+(
+    const volVectorField& AU,
+    const surfaceScalarField& oldFlux,
+    const volVectorField& U,
+    const surfaceScalarField& knownForce,
+    surfaceScalarField& flux
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const surfaceScalarField& faces = cells_.lockedFaces();
+    flux =
+        (1 - faces)*flux
+      + faces*mobility_()
+       *(
+            fvc::flux(locked()*AU)
+          + inertia_()*oldFlux
+          + hold_()*cells_.bodyFlux(U)
+          + knownForce
+          + rigidForce_
+        );
+}
+
+
+void Foam::lockedGrains::correctFaceForce(surfaceScalarField& force) const
+{
+    if (isActive())
+    {
+        force -= rigidForce_;
+    }
+}
+
+
+void Foam::lockedGrains::correctForce
+(
+    const surfaceScalarField& faceForce,
+    const surfaceScalarField& flux,
+    const volScalarField& rho,
+    volVectorField& force
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+
+    // The inertia that a locked cell's fluid would have is missing there
+    const volScalarField inertia
+    (
+        "lockedInertia", locked()*rho/mesh_.time().deltaT()
+    );
+    const surfaceScalarField change(flux - flux.oldTime());
+    const surfaceScalarField missing(fvc::interpolate(inertia)*change);
+    force += inertia*fvc::reconstruct(change) - fvc::reconstruct(missing);
+
+    // Along the surface of a grain that is held the pressure goes on as it does
+    // in the fluid beside it; the grain takes the difference
+    if (grains_.motion().isFixed())
+    {
+        force +=
+            (1 - 2*locked())
+           *fvc::reconstruct(cells_.continued(faceForce - missing));
+    }
+}
+
+
+void Foam::lockedGrains::correctMotion
+(
+    volVectorField& U,
+    const surfaceScalarField& flux,
+    const surfaceScalarField& drag
+)
+{
+    if (!isActive() || grains_.motion().isFixed())
+    {
+        return;
+    }
+    cells_.makeRigid(freeU_, U);
+
+    // A face that comes to a grain takes its motion as fast as the fluid beside
+    // it follows its neighbours
+    const surfaceScalarField surface(cells_.surfaceFlux(U));
+    const dimensionedScalar least("least", inertia_().dimensions(), VSMALL);
+    const surfaceScalarField left
+    (
+        inertia_()/max(inertia_() + hold_(), least)
+    );
+    const surfaceScalarField stiffness(sqr(inertia_() + drag)*mobility_());
+    rigidForce_ += cells_.withoutForce
+    (
+        stiffness*(surface + left*(flux.oldTime() - surface) - flux),
+        stiffness
+    );
+}

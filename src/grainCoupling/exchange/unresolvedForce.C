@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "unresolvedTerm.H"
+
+#include "fvcGrad.H"
+
+void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+
+    knownForce_.resize(overlaps.size());
+    knownForce_ = Zero;
+    if (addedMass_ == 0 && lift_.empty())
+    {
+        return;
+    }
+
+    const volTensorField gradU(fvc::grad(U));
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        const grainMotion::twist motion(grains_.motion().motion(graini));
+        const scalar d = grains_.fluidDiameter(graini);
+
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            vector& e = knownForce_[o.index];
+            const tensor& grad = gradU[o.cell];
+            const vector w(U[o.cell] - motion.at(o.arm));
+
+            e = -dragOfAddedMass(o.cell)*(w - deltaT*(U[o.cell] & grad));
+
+            const vector vorticity
+            (
+                grad.yz() - grad.zy(),
+                grad.zx() - grad.xz(),
+                grad.xy() - grad.yx()
+            );
+            for (const liftLaw& law : lift_)
+            {
+                e += law.force
+                (
+                    w, vorticity, motion.spin, d,
+                    fluid_.rho()[o.cell], fluid_.mu()[o.cell]
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::unresolvedTerm::addForce
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const resolvedTerm& resolved,
+    vectorField& force,
+    vectorField& torque
+) const
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const scalar onGrains = gradientOnGrains_;
+    const vectorField& C = grains_.mesh().C();
+
+    // For the torque, the fluid's velocity where the overlap is: a grain that
+    // straddles two cells would take their difference for a spin
+    const volTensorField gradU(fvc::grad(U));
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (resolved.isResolved(graini))
+        {
+            continue;
+        }
+        const scalar rhop = grains_.motion().density(graini);
+
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const implicitTransfer<vector>& t = transfer_[o.index];
+            const vector f
+            (
+                o.volume
+               *(
+                  - onGrains*gradP[o.cell]
+                  + t.given
+                    (
+                        U[o.cell], onGrains*deltaT/rhop*gradP[o.cell]
+                    )
+                  + knownForce_[o.index]
+                )
+            );
+            const vector fromCentre
+            (
+                o.arm
+              - grains_.shortest(C[o.cell] - grains_.centres()[graini])
+            );
+            const vector shear
+            (
+                o.volume*(t.gamma - dragOfAddedMass(o.cell))*t.a
+               *(fromCentre & gradU[o.cell])
+            );
+            force[graini] += weight_.force(o.volume, o.cell);
+            force[graini] += f;
+            torque[graini] += o.arm ^ (f + shear);
+        }
+    }
+}

@@ -1,0 +1,131 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "unresolvedTerm.H"
+
+#include "dictionaryInput.H"
+#include "motionInStep.H"
+
+Foam::unresolvedTerm::unresolvedTerm
+(
+    const grainSystem& grains,
+    const carrier& fluid,
+    const bool gradientOnGrains
+)
+:
+    grains_(grains),
+    fluid_(fluid),
+    weight_(grains, fluid),
+    drag_
+    (
+        dragLaw::New
+        (
+            dictionaryInput::subDict(grains.motion().coupling(), "drag"),
+            grains.mesh().nGeometricD()
+        )
+    ),
+    addedMass_
+    (
+        dictionaryInput::getScalarOrDefault
+        (
+            grains.motion().coupling(), "addedMass", dimless, 0, 0
+        )
+    ),
+    lift_(liftLaw::all(grains.motion().coupling())),
+    gradientOnGrains_(gradientOnGrains),
+    undisturbed_(grains, gradientOnGrains)
+{}
+
+
+Foam::scalar Foam::unresolvedTerm::dragOfAddedMass(const label celli) const
+{
+    return
+        addedMass_*fluid_.rho()[celli]/grains_.mesh().time().deltaTValue();
+}
+
+
+Foam::scalar Foam::unresolvedTerm::gamma
+(
+    const label graini,
+    const cellOverlap& o,
+    const scalar eps,
+    const vector& slip
+) const
+{
+    scalar result = drag_->gamma
+    (
+        eps,
+        mag(slip),
+        grains_.fluidDiameter(graini),
+        fluid_.rho()[o.cell],
+        fluid_.mu()[o.cell]
+    );
+    if (!gradientOnGrains_)
+    {
+        result /= eps;
+    }
+    return undisturbed_.corrected(result, graini) + dragOfAddedMass(o.cell);
+}
+
+
+void Foam::unresolvedTerm::predict
+(
+    const volScalarField& cellEps,
+    const volVectorField& U,
+    const resolvedTerm& resolved,
+    exchangeFields& fields
+)
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const scalarField& V = grains_.mesh().V();
+
+    transfer_.resize(overlaps.size());
+    setKnownForce(U);
+    undisturbed_.set(grains_, resolved, fluid_, cellEps, U, *drag_);
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (overlaps.of(graini).empty() || resolved.isResolved(graini))
+        {
+            continue;
+        }
+        const scalar rhop = grains_.motion().density(graini);
+        const grainMotion::twist motion(grains_.motion().motion(graini));
+        const motionInStep inStep(grains_.motion(), weight_, graini, deltaT);
+
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const vector& e = knownForce_[o.index];
+            const implicitTransfer<vector>& t = transfer_[o.index] =
+                implicitTransfer<vector>
+                (
+                    gamma
+                    (
+                        graini,
+                        o,
+                        max(cellEps[o.cell], exchangeFields::epsMin),
+                        U[o.cell] - motion.at(o.arm)
+                    ),
+                    deltaT,
+                    rhop,
+                    inStep.at(o.arm, weight_.rho(o.cell)) + deltaT/rhop*e
+                );
+
+            const scalar w = o.volume/V[o.cell];
+            const scalar wa = w*t.a;
+            const scalar wag = wa*t.gamma;
+            const scalar wat = wa*deltaT/rhop;
+            fields.kappa[o.cell] += wat*t.gamma;
+            fields.beta[o.cell] += wag;
+            fields.b[o.cell] += wag*t.free - w*e;
+            fields.G[o.cell] += wa*t.free;
+            if (gradientOnGrains_)
+            {
+                fields.K[o.cell] += wat;
+            }
+        }
+    }
+}

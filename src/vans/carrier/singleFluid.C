@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "singleFluid.H"
+
+#include "dictionaryInput.H"
+#include "HeleShaw.H"
+
+namespace
+{
+
+
+const Foam::word Newtonian("Newtonian");
+
+}
+
+
+Foam::singleFluid::singleFluid
+(
+    const volVectorField& U,
+    const surfaceScalarField& phiU
+)
+:
+    properties_
+    (
+        IOobject
+        (
+            "transportProperties",
+            U.time().constant(),
+            U.mesh(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    ),
+    rho_
+    (
+        IOobject("rho", U.time().timeName(), U.mesh()),
+        U.mesh(),
+        dimensionedScalar
+        (
+            "rho",
+            dimDensity,
+            dictionaryInput::getPositive(properties_, "rho", dimDensity)
+        )
+    ),
+    mu_
+    (
+        IOobject("mu", U.time().timeName(), U.mesh()),
+        U.mesh(),
+        dimensionedScalar(dimDynamicViscosity, Zero)
+    ),
+    plates_("plates", dimless/dimArea, HeleShawPlates(properties_))
+{
+    const word model
+    (
+        properties_.getOrDefault<word>("transportModel", Newtonian)
+    );
+    wordList allowed({"rho", "transportModel", "HeleShaw", model + "Coeffs"});
+    if (model == Newtonian)
+    {
+        allowed.append("nu");
+    }
+    dictionaryInput::checkKeywords(properties_, allowed);
+
+    if (properties_.found("transportModel"))
+    {
+        if (model == Newtonian)
+        {
+            dictionaryInput::getPositive
+            (
+                properties_.optionalSubDict(Newtonian + "Coeffs"), "nu", dimViscosity
+            );
+        }
+        model_.reset(new singlePhaseTransportModel(U, phiU));
+    }
+    setMu();
+}
+
+
+void Foam::singleFluid::setMu()
+{
+    if (model_)
+    {
+        mu_ == rho_*model_->nu();
+    }
+    else
+    {
+        mu_ ==
+            rho_
+           *dimensionedScalar
+            (
+                "nu",
+                dimViscosity,
+                dictionaryInput::getPositive(properties_, "nu", dimViscosity)
+            );
+    }
+}
+
+
+void Foam::singleFluid::correct()
+{
+    if (model_)
+    {
+        model_->correct();
+        setMu();
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::singleFluid::wallDrag() const
+{
+    return
+        plates_.value() > 0
+      ? plates_*mu_
+      : tmp<volScalarField>();
+}
+
+
+Foam::singlePhaseTransportModel& Foam::singleFluid::transport()
+{
+    if (!model_)
+    {
+        FatalIOErrorInFunction(properties_)
+            << "Keyword 'transportModel' is missing: turbulence models need it"
+            << nl << "    allowed: transportModel " << Newtonian << ';'
+            << exit(FatalIOError);
+    }
+    return *model_;
+}
+
+
+void Foam::singleFluid::setTurbulence(const volScalarField& nut)
+{
+    if (!muStress_)
+    {
+        muStress_.reset(new volScalarField("muStress", mu_));
+    }
+    *muStress_ == mu_ + rho_*nut;
+}

@@ -1,0 +1,43 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vansFields.H"
+
+#include "dictionaryInput.H"
+#include "fvcFlux.H"
+#include "missingFields.H"
+
+namespace
+{
+
+Foam::IOobject at
+(
+    const Foam::fvMesh& mesh,
+    const Foam::word& name,
+    const Foam::IOobject::readOption read
+)
+{
+    using namespace Foam;
+    return IOobject
+    (
+        name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE
+    );
+}
+
+}
+
+
+Foam::vansFields::vansFields(const fvMesh& mesh)
+:
+    p_rgh(at(mesh, "p_rgh", IOobject::MUST_READ), mesh),
+    U(at(mesh, "U", IOobject::MUST_READ), mesh),
+    phiU(at(mesh, "phiU", IOobject::READ_IF_PRESENT), fvc::flux(U)),
+    phiAlpha(at(mesh, "phiAlpha", IOobject::READ_IF_PRESENT), phiU),
+    phi(at(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U))
+{
+    dictionaryInput::checkDimensions(U, U.dimensions(), dimVelocity);
+    dictionaryInput::checkDimensions(p_rgh, p_rgh.dimensions(), dimPressure);
+    reportMissingFields(mesh, {"phiU", "phiAlpha", "phi"}, "made from U");
+}

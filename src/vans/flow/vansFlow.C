@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vansFlow.H"
+
+#include "dictionaryInput.H"
+#include "findRefCell.H"
+#include "OSspecific.H"
+#include "timeScheme.H"
+#include "uniformDimensionedFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+dimensionedScalar ghRef(const fvMesh& mesh, const uniformDimensionedVectorField& g)
+{
+    const uniformDimensionedScalarField hRef
+    (
+        IOobject
+        (
+            "hRef",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE
+        ),
+        dimensionedScalar("hRef", dimLength, Zero)
+    );
+    return
+        mag(g.value()) > SMALL
+      ? g & (cmptMag(g.value())/mag(g.value()))*hRef
+      : dimensionedScalar("ghRef", g.dimensions()*dimLength, Zero);
+}
+
+}
+
+
+Foam::vansFlow::vansFlow
+(
+    vansFields& fields,
+    const carrier& fluid,
+    const effectiveViscosity& viscosity,
+    const exchangeFields& grains,
+    resolvedTerm& resolved,
+    const dictionary& control
+)
+:
+    mesh_(fields.U.mesh()),
+    fields_(fields),
+    fluid_(fluid),
+    viscosity_(viscosity),
+    grains_(grains),
+    resolved_(resolved),
+    options_(fv::options::New(mesh_)),
+    gh_
+    (
+        "gh",
+        (mesh_.lookupObject<uniformDimensionedVectorField>("g") & mesh_.C())
+      - ghRef(mesh_, mesh_.lookupObject<uniformDimensionedVectorField>("g"))
+    ),
+    p_
+    (
+        IOobject
+        (
+            "p",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        fields.p_rgh + fluid.rhoWeight()*gh_
+    ),
+    pRefCell_(0),
+    pRefValue_(0),
+    gradP_
+    (
+        IOobject("gradP", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    )
+{
+    // Before the first step, for its check of ddtSchemes
+    isSecondOrderInTime(mesh_);
+
+    setRefCell(p_, fields.p_rgh, control, pRefCell_, pRefValue_);
+    mesh_.setFluxRequired(fields.p_rgh.name());
+}
+
+
+void Foam::vansFlow::startStep()
+{
+    step_.reset
+    (
+        new stepCoefficients
+        (
+            grains_, resolved_, fluid_, viscosity_, fields_.phiAlpha
+        )
+    );
+    setMomentumEquation();
+}
+
+
+void Foam::vansFlow::checkFinite() const
+{
+    const volVectorField& U = fields_.U;
+    const volScalarField& p = fields_.p_rgh;
+
+    label bad = -1;
+    forAll(U, celli)
+    {
+        if (!std::isfinite(mag(U[celli])) || !std::isfinite(p[celli]))
+        {
+            bad = celli;
+            break;
+        }
+    }
+    if (returnReduce(bad, maxOp<label>()) < 0)
+    {
+        return;
+    }
+
+    // Without the grains' state and marked incomplete: no run continues from
+    // this time
+    const Time& runTime = mesh_.time();
+    const_cast<Time&>(runTime).writeNow();
+    if (Pstream::master())
+    {
+        const fileName dir(runTime.globalPath()/runTime.timeName());
+        mkDir(dir);
+        OFstream(dir/"grains.h5.notFinite")()
+            << "The fluid's solution is not finite" << endl;
+    }
+
+    if (bad >= 0)
+    {
+        const scalarField sumPhi
+        (
+            fvc::surfaceSum(mag(fields_.phiU.oldTime()))().primitiveField()
+        );
+        FatalErrorInFunction
+            << "The fluid's solution is not finite at time "
+            << runTime.timeName() << ", first in cell " << bad << " at "
+            << mesh_.C()[bad] << ": U = " << U[bad] << ", p_rgh = " << p[bad]
+            << nl << "    the Courant number was "
+            << 0.5*max(sumPhi/mesh_.V().field())*runTime.deltaTValue()
+            << "; the fields are written for a look, a run continues from the"
+            << " last complete time" << exit(FatalError);
+    }
+}

@@ -1,0 +1,136 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vansFlow.H"
+
+#include "fvCFD.H"
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
+{
+    const surfaceScalarField& phi = step_->phiEps;
+    const volVectorField& U = fields_.U;
+
+    return
+        (1 - resolved_.locked()())
+       *(fluid_.rho()*(fvm::div(phi, U) - fvm::Sp(fvc::div(phi), U)));
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::vansFlow::divTau() const
+{
+    // Zero but where the viscosity varies.  At the surface of a resolved grain
+    // the velocity gradient, which jumps, is not to be had from the cells.
+    return
+        resolved_.openCells()
+       *fvc::div(step_->mu*dev2(T(fvc::grad(fields_.U))), "div(tau)");
+}
+
+
+void Foam::vansFlow::setMomentumEquation()
+{
+    const stepCoefficients& step = *step_;
+    const volScalarField& rho = fluid_.rho();
+    volVectorField& U = fields_.U;
+
+    UEqn_.reset
+    (
+        new fvVectorMatrix
+        (
+            rho*step.eps*fvm::ddt(U)
+          + convection()
+          - fvm::laplacian(step.muf*resolved_.conductance(), U)
+          - divTau()
+          + fvm::Sp(grains_.beta, U)
+         ==
+            grains_.b
+        )
+    );
+    fvVectorMatrix& UEqn = *UEqn_;
+
+    if (step.wallDrag.valid())
+    {
+        UEqn += fvm::Sp(step.eps*step.wallDrag(), U);
+    }
+    if (mesh_.moving())
+    {
+        // A cell whose volume changes keeps its velocity
+        const dimensionedScalar one("one", dimless, 1);
+        UEqn -= fvm::Sp(rho*step.eps*fvc::ddt(one, mesh_), U);
+    }
+    if (options_.size())
+    {
+        UEqn -= options_(rho, U);
+    }
+    resolved_.addToMomentum(UEqn, rho, step.phiEps, step.muf);
+    UEqn.relax();
+    options_.constrain(UEqn);
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
+(
+    const surfaceScalarField& gradient
+) const
+{
+    // Where the drag differs between two cells the pressure has a kink at their
+    // face: a cell sees the gradient on its own side, which is the face's, plus
+    // what its own drag at the face's velocity is more than the face's.  Without
+    // grains it is the reconstruction of the face gradients.
+    const stepCoefficients& step = *step_;
+    const surfaceScalarField& phiAlpha = fields_.phiAlpha;
+
+    surfaceScalarField faceForce("faceForce", gradient - step.phib);
+    resolved_.correctFaceForce(faceForce);
+    faceForce += step.betaf*phiAlpha;
+
+    tmp<volVectorField> tforce
+    (
+        new volVectorField
+        (
+            "pressureForce",
+            step.share
+           *(
+                fvc::reconstruct(faceForce)
+              + step.bByShare - step.betaByShare*fvc::reconstruct(phiAlpha)
+            )
+        )
+    );
+    resolved_.correctForce(faceForce, phiAlpha, fluid_.rho(), tforce.ref());
+    return tforce;
+}
+
+
+void Foam::vansFlow::predict(const bool solves)
+{
+    const volScalarField& p_rgh = fields_.p_rgh;
+
+    surfaceScalarField gradient
+    (
+        "gradient", fvc::snGrad(p_rgh)*mesh_.magSf()
+    );
+    if (step_->faceForce.valid())
+    {
+        gradient += step_->faceForce();
+    }
+    const volVectorField force(pressureForce(gradient));
+    gradP_ = force/step_->share;
+
+    if (solves)
+    {
+        resolved_.predict(*UEqn_, force);
+        options_.correct(fields_.U);
+        checkFinite();
+    }
+
+    faces_.reset
+    (
+        new faceMomentum
+        (
+            *UEqn_, *step_, grains_, resolved_, fluid_.rho(), fields_.phiU
+        )
+    );
+}

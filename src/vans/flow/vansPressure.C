@@ -1,0 +1,146 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vansFlow.H"
+
+#include "fvCFD.H"
+#include "adjustPhi.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+
+Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
+(
+    const volVectorField& H
+) const
+{
+    const stepCoefficients& step = *step_;
+    const faceMomentum& faces = *faces_;
+    const volVectorField& U = fields_.U;
+
+    const volVectorField HbyA
+    (
+        constrainHbyA
+        (
+            (H - grains_.b + (faces.A - faces.fluidA)*U)/faces.A,
+            U,
+            fields_.p_rgh
+        )
+    );
+
+    tmp<surfaceScalarField> tflux
+    (
+        new surfaceScalarField
+        (
+            "phiHbyA",
+            (
+                fvc::flux(step.eps*step.alpha*HbyA)
+              + faces.inertiaFlux
+              + faces.rAf*step.phib
+            )/faces.drag
+        )
+    );
+    resolved_.correctFlux
+    (
+        faces.A*HbyA, fields_.phiU.oldTime(), U, step.phib, tflux.ref()
+    );
+    return tflux;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
+(
+    const surfaceScalarField& phiHbyA,
+    pisoControl& control
+)
+{
+    const faceMomentum& faces = *faces_;
+    volScalarField& p_rgh = fields_.p_rgh;
+    const volVectorField& U = fields_.U;
+    const tmp<surfaceScalarField>& force = step_->faceForce;
+
+    surfaceScalarField phiMixture("phiMixture", phiHbyA + faces.phiGrains);
+    if (force.valid())
+    {
+        phiMixture -= faces.mobility*force();
+    }
+    adjustPhi(phiMixture, U, p_rgh);
+    constrainPressure(p_rgh, U, phiMixture, faces.mobility);
+
+    tmp<volScalarField> source(fvc::div(phiMixture));
+    if (volumeSource_.valid())
+    {
+        source.ref() -= volumeSource_();
+    }
+
+    tmp<surfaceScalarField> tgradient;
+    while (control.correctNonOrthogonal())
+    {
+        fvScalarMatrix p_rghEqn
+        (
+            fvm::laplacian(faces.diffusivity, p_rgh) == source()
+        );
+        p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh, pRefCell_));
+        p_rghEqn.solve(mesh_.solverDict(p_rgh.select(control.finalInnerIter())));
+
+        // At once: OpenFOAM trips over the residual of the next solution
+        checkFinite();
+
+        if (control.finalNonOrthogonalIter())
+        {
+            tgradient = p_rghEqn.flux()/faces.diffusivity;
+            fields_.phi = phiMixture - faces.mobility*tgradient();
+        }
+    }
+    if (force.valid())
+    {
+        tgradient.ref() += force();
+    }
+    fields_.phiAlpha = phiHbyA - faces.rAUf*tgradient();
+    fields_.phiU = fvc::interpolate(1/step_->alpha)*fields_.phiAlpha;
+    return tgradient;
+}
+
+
+void Foam::vansFlow::setPressure()
+{
+    volScalarField& p_rgh = fields_.p_rgh;
+    const volScalarField& rho = fluid_.rhoWeight();
+
+    p_ = p_rgh + rho*gh_;
+    if (p_rgh.needReference())
+    {
+        p_ += dimensionedScalar
+        (
+            "p", p_.dimensions(), pRefValue_ - getRefCellValue(p_, pRefCell_)
+        );
+        p_rgh = p_ - rho*gh_;
+
+        // As a restart will find them, not to round-off
+        p_rgh.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::vansFlow::correct(pisoControl& control)
+{
+    volVectorField& U = fields_.U;
+    const volVectorField H("H", UEqn_->H());
+
+    const tmp<surfaceScalarField> gradient
+    (
+        solvePressure(fluxWithoutPressure(H), control)
+    );
+    const volVectorField force(pressureForce(gradient()));
+    gradP_ = force/step_->share;
+
+    U = (H - force)/UEqn_->A();
+    resolved_.correctMotion(U, fields_.phiAlpha, step_->betaf);
+    U.correctBoundaryConditions();
+    options_.correct(U);
+
+    setPressure();
+}

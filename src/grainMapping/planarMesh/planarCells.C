@@ -6,8 +6,8 @@
 #include "planarCells.H"
 
 #include "mathematicalConstants.H"
-#include "overlap/Clip.hpp"
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/clip/Clip.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 
 Eigen::AlignedBox2d Foam::planarCells::box(const grainMember& disc) const
 {

@@ -6,7 +6,7 @@
 #include "planarMesh.H"
 
 #include "emptyPolyPatch.H"
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
 #include "wedgePolyPatch.H"

@@ -8,9 +8,9 @@
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
 
-#include "nscd/Members.hpp"
-#include "nscd/Neighbours.hpp"
-#include "nscd/WallContact.hpp"
+#include "nscd/shape/Members.hpp"
+#include "nscd/search/Neighbours.hpp"
+#include "nscd/walls/WallContact.hpp"
 #include "OStringStream.H"
 
 #include <set>

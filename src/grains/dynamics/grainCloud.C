@@ -6,7 +6,7 @@
 #include "grainDynamics.H"
 
 #include "IOField.H"
-#include "nscd/Members.hpp"
+#include "nscd/shape/Members.hpp"
 #include "passiveParticleCloud.H"
 
 namespace

@@ -5,7 +5,7 @@
 
 #include "grainDynamics.H"
 
-#include "nscd/Members.hpp"
+#include "nscd/shape/Members.hpp"
 #include "planarCells.H"
 #include "spatialCells.H"
 

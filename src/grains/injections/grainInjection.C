@@ -6,7 +6,7 @@
 #include "grainInjection.H"
 
 #include "dictionaryInput.H"
-#include "nscd/Append.hpp"
+#include "nscd/shape/Append.hpp"
 #include "randomOrientation.H"
 #include "selected.H"
 #include "sizeDistribution.H"

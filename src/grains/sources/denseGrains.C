@@ -7,7 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
-#include "nscd/DensePacking.hpp"
+#include "nscd/packing/DensePacking.hpp"
 #include "readGeometry.H"
 
 addToSelection(grainSource, grainSources, dense)

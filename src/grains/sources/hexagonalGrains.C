@@ -7,7 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
-#include "nscd/Packing.hpp"
+#include "nscd/packing/Packing.hpp"
 #include "readGeometry.H"
 
 addToSelection(grainSource, grainSources, hexagonal)

@@ -7,8 +7,8 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/packing/Packing.hpp"
+#include "nscd/base/Random.hpp"
 #include "readGeometry.H"
 
 addToSelection(grainSource, grainSources, randomFill)

@@ -8,7 +8,7 @@
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "grainWalls.H"
-#include "nscd/Packing.hpp"
+#include "nscd/packing/Packing.hpp"
 
 addToSelection(grainSource, grainSources, settled)
 

@@ -6,7 +6,7 @@
 #include "severalGrains.H"
 
 #include "dictionaryInput.H"
-#include "nscd/Append.hpp"
+#include "nscd/shape/Append.hpp"
 
 #include <numeric>
 

@@ -6,7 +6,7 @@
 #include "wallOutline.H"
 
 #include "grainWalls.H"
-#include "nscd/WallMotion.hpp"
+#include "nscd/walls/WallMotion.hpp"
 
 namespace
 {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Mpi.hpp"
+#include "nscd/base/Mpi.hpp"
 
 #include <cstddef>
 #include <vector>

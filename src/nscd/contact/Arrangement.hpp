@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Candidates.hpp"
-#include "nscd/ContactTable.hpp"
+#include "nscd/contact/Candidates.hpp"
+#include "nscd/contact/ContactTable.hpp"
 
 #include <cmath>
 

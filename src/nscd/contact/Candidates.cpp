@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Candidates.hpp"
+#include "nscd/contact/Candidates.hpp"
 
-#include "nscd/Bisection.hpp"
-#include "nscd/Neighbours.hpp"
+#include "nscd/search/Bisection.hpp"
+#include "nscd/search/Neighbours.hpp"
 
 #include <cmath>
 #include <numeric>

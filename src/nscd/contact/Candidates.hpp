@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "nscd/Communicator.hpp"
-#include "nscd/Members.hpp"
-#include "nscd/WallContact.hpp"
+#include "nscd/base/Communicator.hpp"
+#include "nscd/shape/Members.hpp"
+#include "nscd/walls/WallContact.hpp"
 
 namespace nscd
 {

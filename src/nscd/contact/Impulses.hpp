@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Candidates.hpp"
-#include "nscd/Contact.hpp"
+#include "nscd/contact/Candidates.hpp"
+#include "nscd/contact/Contact.hpp"
 
 namespace nscd
 {

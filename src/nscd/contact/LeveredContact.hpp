@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Contact.hpp"
-#include "nscd/LocalSolve.hpp"
+#include "nscd/contact/Contact.hpp"
+#include "nscd/contact/LocalSolve.hpp"
 
 namespace nscd
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/LocalSolve.hpp"
+#include "nscd/contact/LocalSolve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 // ContactDynamics::add: grains come, those that are there keep their contacts.
 
-#include "nscd/Append.hpp"
-#include "nscd/Implementation.hpp"
-#include "nscd/Validation.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/Validation.hpp"
+#include "nscd/shape/Append.hpp"
 
 namespace nscd
 {

@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include "nscd/ContactForce.hpp"
-#include "nscd/ContactTable.hpp"
-#include "nscd/Grains.hpp"
-#include "nscd/Mpi.hpp"
-#include "nscd/Solver.hpp"
-#include "nscd/Walls.hpp"
+#include "nscd/base/Mpi.hpp"
+#include "nscd/contact/ContactForce.hpp"
+#include "nscd/contact/ContactTable.hpp"
+#include "nscd/problem/Solver.hpp"
+#include "nscd/shape/Grains.hpp"
+#include "nscd/walls/Walls.hpp"
 
 #include <array>
 #include <memory>

@@ -3,9 +3,9 @@
 
 // ContactDynamics::dumpContactProblem
 
-#include "nscd/Delassus.hpp"
-#include "nscd/Fclib.hpp"
-#include "nscd/Implementation.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/problem/Delassus.hpp"
+#include "nscd/problem/Fclib.hpp"
 
 #include <stdexcept>
 

@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include "nscd/ContactDynamics.hpp"
-#include "nscd/ContactProblem.hpp"
-#include "nscd/State.hpp"
-#include "nscd/Stopwatch.hpp"
+#include "nscd/base/Stopwatch.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
+#include "nscd/dynamics/State.hpp"
+#include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
 {

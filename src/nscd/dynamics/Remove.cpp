@@ -3,7 +3,7 @@
 
 // ContactDynamics::remove: grains go, those that stay keep their contacts.
 
-#include "nscd/Implementation.hpp"
+#include "nscd/dynamics/Implementation.hpp"
 
 #include <stdexcept>
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Grains.hpp"
-#include "nscd/LeveredContact.hpp"
+#include "nscd/contact/LeveredContact.hpp"
+#include "nscd/shape/Grains.hpp"
 
 namespace nscd
 {

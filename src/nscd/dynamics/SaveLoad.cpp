@@ -3,9 +3,9 @@
 
 // ContactDynamics::save and load: what the ranks do around one state file.
 
-#include "nscd/Implementation.hpp"
-#include "nscd/State.hpp"
-#include "nscd/Validation.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/State.hpp"
+#include "nscd/dynamics/Validation.hpp"
 
 #include <stdexcept>
 

@@ -3,7 +3,7 @@
 
 // ContactDynamics' passes over the contact problem until its residual is small.
 
-#include "nscd/Implementation.hpp"
+#include "nscd/dynamics/Implementation.hpp"
 
 #include <numeric>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/State.hpp"
+#include "nscd/dynamics/State.hpp"
 
-#include "nscd/Hdf5.hpp"
-#include "nscd/Members.hpp"
-#include "nscd/ReplaceFile.hpp"
+#include "nscd/io/Hdf5.hpp"
+#include "nscd/io/ReplaceFile.hpp"
+#include "nscd/shape/Members.hpp"
 
 #include <stdexcept>
 

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "nscd/Grains.hpp"
-#include "nscd/Impulses.hpp"
-#include "nscd/Walls.hpp"
+#include "nscd/contact/Impulses.hpp"
+#include "nscd/shape/Grains.hpp"
+#include "nscd/walls/Walls.hpp"
 
 #include <string>
 

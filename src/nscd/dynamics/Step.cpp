@@ -3,10 +3,10 @@
 
 // One step of ContactDynamics: its sub-steps and its report.
 
-#include "nscd/Check.hpp"
-#include "nscd/Implementation.hpp"
-#include "nscd/RigidMotion.hpp"
-#include "nscd/Validation.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
+#include "nscd/dynamics/Validation.hpp"
 
 #include <limits>
 #include <sstream>

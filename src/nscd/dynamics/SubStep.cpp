@@ -3,8 +3,8 @@
 
 // One sub-step of ContactDynamics: candidates, choice of contacts, sweeps, motion.
 
-#include "nscd/Implementation.hpp"
-#include "nscd/RigidMotion.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
 
 namespace nscd
 {

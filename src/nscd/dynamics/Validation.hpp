@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Check.hpp"
-#include "nscd/ContactDynamics.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
 
 #include <string>
 

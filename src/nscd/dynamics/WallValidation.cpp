@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Check.hpp"
-#include "nscd/Validation.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/Validation.hpp"
 
 namespace nscd
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Conduction.hpp"
+#include "nscd/heat/Conduction.hpp"
 
-#include "nscd/Check.hpp"
-#include "nscd/HeatNetwork.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/heat/HeatNetwork.hpp"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/ContactDynamics.hpp"
-#include "nscd/ThermalContact.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
+#include "nscd/heat/ThermalContact.hpp"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/DensePacking.hpp"
+#include "nscd/packing/DensePacking.hpp"
 
-#include "nscd/Check.hpp"
-#include "nscd/SoftGrains.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/packing/SoftGrains.hpp"
 
 #include <algorithm>
 

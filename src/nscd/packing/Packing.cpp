@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Packing.hpp"
+#include "nscd/packing/Packing.hpp"
 
-#include "nscd/Check.hpp"
+#include "nscd/base/Check.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/ContactDynamics.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
 
 namespace nscd
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/SizeDistribution.hpp"
+#include "nscd/packing/SizeDistribution.hpp"
 
-#include "nscd/Check.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/base/Random.hpp"
 
 #include <algorithm>
 #include <cmath>

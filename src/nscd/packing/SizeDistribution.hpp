@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Packing.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/SoftGrains.hpp"
+#include "nscd/packing/SoftGrains.hpp"
 
-#include "nscd/Neighbours.hpp"
+#include "nscd/search/Neighbours.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Random.hpp"
-#include "nscd/Types.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/base/Types.hpp"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 // Which candidates become contacts of a sub-step, and with what data.
 
-#include "nscd/ContactProblem.hpp"
+#include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
 {

@@ -3,7 +3,7 @@
 
 // The sweeps over a chosen set of contacts.
 
-#include "nscd/ContactProblem.hpp"
+#include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
 {

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include "nscd/Arrangement.hpp"
-#include "nscd/ContactForce.hpp"
-#include "nscd/Impulses.hpp"
-#include "nscd/LeveredContact.hpp"
-#include "nscd/Schedule.hpp"
+#include "nscd/contact/Arrangement.hpp"
+#include "nscd/contact/ContactForce.hpp"
+#include "nscd/contact/Impulses.hpp"
+#include "nscd/contact/LeveredContact.hpp"
+#include "nscd/contact/Schedule.hpp"
 
 namespace nscd
 {

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/LeveredContact.hpp"
-#include "nscd/SparseProblem.hpp"
+#include "nscd/contact/LeveredContact.hpp"
+#include "nscd/problem/SparseProblem.hpp"
 
 namespace nscd
 {

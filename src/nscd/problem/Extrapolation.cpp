@@ -4,7 +4,7 @@
 // ContactProblem::extrapolate: the momentum step of accelerated sweeps.  Velocities are linear in the impulses, so that
 // both are continued alike.
 
-#include "nscd/ContactProblem.hpp"
+#include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Fclib.hpp"
+#include "nscd/problem/Fclib.hpp"
 
-#include "nscd/Check.hpp"
-#include "nscd/Hdf5.hpp"
-#include "nscd/ReplaceFile.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/io/Hdf5.hpp"
+#include "nscd/io/ReplaceFile.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/SparseProblem.hpp"
+#include "nscd/problem/SparseProblem.hpp"
 
 #include <optional>
 #include <string>

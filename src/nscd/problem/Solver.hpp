@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Check.hpp"
+#include "nscd/base/Check.hpp"
 
 #include <string>
 

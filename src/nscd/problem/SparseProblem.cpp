@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/SparseProblem.hpp"
+#include "nscd/problem/SparseProblem.hpp"
 
-#include "nscd/Check.hpp"
+#include "nscd/base/Check.hpp"
 
 #include <algorithm>
 #include <cmath>

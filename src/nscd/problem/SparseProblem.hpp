@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/LocalSolve.hpp"
+#include "nscd/contact/LocalSolve.hpp"
 
 namespace nscd
 {

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Solver.hpp"
-#include "nscd/SparseProblem.hpp"
+#include "nscd/problem/Solver.hpp"
+#include "nscd/problem/SparseProblem.hpp"
 
 namespace nscd
 {

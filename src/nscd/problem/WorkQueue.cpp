@@ -3,7 +3,7 @@
 
 // ContactProblem::workQueue: effort goes where impulses still change.
 
-#include "nscd/ContactProblem.hpp"
+#include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
 {

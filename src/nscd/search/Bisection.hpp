@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Types.hpp"
+#include "nscd/base/Types.hpp"
 
 namespace nscd
 {

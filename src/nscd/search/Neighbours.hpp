@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/CellGrid.hpp"
+#include "nscd/search/CellGrid.hpp"
 
 namespace nscd
 {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Grains.hpp"
+#include "nscd/shape/Grains.hpp"
 
 namespace nscd
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/Cluster.hpp"
+#include "nscd/shape/Cluster.hpp"
 
-#include "nscd/Check.hpp"
-#include "nscd/UnionMoments.hpp"
-#include "nscd/Validation.hpp"
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/Validation.hpp"
+#include "nscd/shape/UnionMoments.hpp"
 
 #include <Eigen/Eigenvalues>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Cluster.hpp"
+#include "nscd/shape/Cluster.hpp"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/WallMesh.hpp"
+#include "nscd/walls/WallMesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/WallJoints.hpp"
+#include "nscd/walls/WallJoints.hpp"
 
-#include "nscd/BoxTree.hpp"
-#include "nscd/CellGrid.hpp"
+#include "nscd/search/BoxTree.hpp"
+#include "nscd/search/CellGrid.hpp"
 
 #include <numeric>
 

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "nscd/BoxTree.hpp"
-#include "nscd/WallJoints.hpp"
-#include "nscd/WallMotion.hpp"
+#include "nscd/search/BoxTree.hpp"
+#include "nscd/walls/WallJoints.hpp"
+#include "nscd/walls/WallMotion.hpp"
 
 namespace nscd
 {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Walls.hpp"
+#include "nscd/walls/Walls.hpp"
 
 namespace nscd
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/BallFace.hpp"
+#include "overlap/ball/BallFace.hpp"
 
-#include "overlap/InnerIntegrals.hpp"
-#include "overlap/OuterIntegrals.hpp"
-#include "overlap/SliverIntegrals.hpp"
+#include "overlap/ball/InnerIntegrals.hpp"
+#include "overlap/ball/OuterIntegrals.hpp"
+#include "overlap/ball/SliverIntegrals.hpp"
 
 #include <stdexcept>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/Facets.hpp"
+#include "overlap/mesh/Facets.hpp"
 
 #include <algorithm>
 #include <utility>

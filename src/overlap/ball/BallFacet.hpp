@@ -3,8 +3,9 @@
 
 #pragma once
 
-#include "overlap/BallFace.hpp"
-#include "overlap/CircleEdge.hpp"
+#include "overlap/ball/BallFace.hpp"
+#include "overlap/disc/AngleSum.hpp"
+#include "overlap/disc/CircleEdge.hpp"
 
 #include <cmath>
 

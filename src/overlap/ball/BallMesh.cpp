@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/BallMesh.hpp"
+#include "overlap/ball/BallMesh.hpp"
 
-#include "overlap/BallPolyhedron.hpp"
-#include "overlap/CellSum.hpp"
-#include "overlap/Clip.hpp"
+#include "overlap/ball/BallPolyhedron.hpp"
+#include "overlap/ball/CellSum.hpp"
+#include "overlap/clip/Clip.hpp"
 
 namespace overlap
 {

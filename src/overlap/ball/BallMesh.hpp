@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include "overlap/BallFace.hpp"
-#include "overlap/BallOverlap.hpp"
-#include "overlap/PolyhedralMesh.hpp"
-#include "overlap/PowerCell.hpp"
+#include "overlap/ball/BallFace.hpp"
+#include "overlap/ball/BallOverlap.hpp"
+#include "overlap/clip/PowerCell.hpp"
+#include "overlap/mesh/PolyhedralMesh.hpp"
 
 #include <vector>
 

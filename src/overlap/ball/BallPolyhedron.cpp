@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/BallPolyhedron.hpp"
+#include "overlap/ball/BallPolyhedron.hpp"
 
-#include "overlap/CellSum.hpp"
+#include "overlap/ball/CellSum.hpp"
 
 namespace overlap
 {

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "overlap/BallOverlap.hpp"
-#include "overlap/Polyhedron.hpp"
+#include "overlap/ball/BallOverlap.hpp"
+#include "overlap/mesh/Polyhedron.hpp"
 
 namespace overlap
 {

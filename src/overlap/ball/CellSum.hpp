@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "overlap/BallFace.hpp"
-#include "overlap/BallOverlap.hpp"
-#include "overlap/CellShape.hpp"
+#include "overlap/ball/BallFace.hpp"
+#include "overlap/ball/BallOverlap.hpp"
+#include "overlap/mesh/CellShape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "overlap/AngleSum.hpp"
-#include "overlap/BallFacet.hpp"
+#include "overlap/ball/BallFacet.hpp"
+#include "overlap/disc/AngleSum.hpp"
 
 namespace overlap
 {

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "overlap/AngleSum.hpp"
-#include "overlap/BallFacet.hpp"
-#include "overlap/GaussPoints.hpp"
+#include "overlap/ball/BallFacet.hpp"
+#include "overlap/ball/GaussPoints.hpp"
+#include "overlap/disc/AngleSum.hpp"
 
 namespace overlap
 {

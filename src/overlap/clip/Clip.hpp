@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "overlap/Polyhedron.hpp"
-#include "overlap/PowerCell.hpp"
+#include "overlap/clip/PowerCell.hpp"
+#include "overlap/mesh/Polyhedron.hpp"
 
 namespace overlap
 {

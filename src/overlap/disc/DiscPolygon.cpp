@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 
-#include "overlap/AngleSum.hpp"
-#include "overlap/CircleEdge.hpp"
+#include "overlap/disc/AngleSum.hpp"
+#include "overlap/disc/CircleEdge.hpp"
 
 #include <algorithm>
 #include <cmath>

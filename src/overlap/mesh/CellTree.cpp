@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/CellTree.hpp"
+#include "overlap/mesh/CellTree.hpp"
 
 #include <algorithm>
 #include <numeric>

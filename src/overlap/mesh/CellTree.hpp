@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/CellShape.hpp"
+#include "overlap/mesh/CellShape.hpp"
 
 #include <vector>
 

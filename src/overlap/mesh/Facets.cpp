@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "overlap/Facets.hpp"
+#include "overlap/mesh/Facets.hpp"
 
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 
 #include <algorithm>
 #include <limits>

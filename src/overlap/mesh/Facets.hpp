@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/Types.hpp"
+#include "overlap/base/Types.hpp"
 
 #include <Eigen/Geometry>
 

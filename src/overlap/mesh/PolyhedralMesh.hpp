@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "overlap/CellTree.hpp"
-#include "overlap/Polyhedron.hpp"
+#include "overlap/mesh/CellTree.hpp"
+#include "overlap/mesh/Polyhedron.hpp"
 
 #include <vector>
 

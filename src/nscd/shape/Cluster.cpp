@@ -4,7 +4,6 @@
 #include "nscd/shape/Cluster.hpp"
 
 #include "nscd/base/Check.hpp"
-#include "nscd/dynamics/Validation.hpp"
 #include "nscd/shape/UnionMoments.hpp"
 
 #include <Eigen/Eigenvalues>

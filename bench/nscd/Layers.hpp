@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <cmath>
 

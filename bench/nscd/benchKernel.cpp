@@ -8,7 +8,7 @@
 
 #include "Layers.hpp"
 
-#include "nscd/Stopwatch.hpp"
+#include "nscd/base/Stopwatch.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -6,8 +6,8 @@
 //     benchNscd [random|hexagonal|spheres] [steps] [sweeps] [grains]
 //     mpirun -np 2 benchNscd ...
 
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <cstdio>
 #include <cstdlib>

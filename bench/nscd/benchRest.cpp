@@ -5,9 +5,9 @@
 //
 //     benchRest [discs|spheres] [steps] [sweeps] [tolerance/d] [grains] [steps to settle]
 
-#include "nscd/ContactDynamics.hpp"
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <cmath>
 #include <cstdio>

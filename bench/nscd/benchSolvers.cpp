@@ -5,12 +5,12 @@
 //
 //     benchSolvers [spheres|rods] [grains] [maxSweeps] [FILE.hdf5]      writes the problem to the file, if there is one
 
-#include "nscd/Delassus.hpp"
-#include "nscd/Fclib.hpp"
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
-#include "nscd/RigidMotion.hpp"
-#include "nscd/SparseSolve.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
+#include "nscd/packing/Packing.hpp"
+#include "nscd/problem/Delassus.hpp"
+#include "nscd/problem/Fclib.hpp"
+#include "nscd/problem/SparseSolve.hpp"
 
 #include <cstdio>
 #include <cstdlib>

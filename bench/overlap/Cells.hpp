@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/Polyhedron.hpp"
+#include "overlap/mesh/Polyhedron.hpp"
 
 #include <Eigen/Geometry>
 #include <functional>

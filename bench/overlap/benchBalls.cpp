@@ -5,7 +5,7 @@
 
 #include "bestOf.hpp"
 #include "Cells.hpp"
-#include "overlap/BallPolyhedron.hpp"
+#include "overlap/ball/BallPolyhedron.hpp"
 #include "Peer.hpp"
 
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "../../tests/unit/overlap/Meshes.hpp"
 #include "bestOf.hpp"
-#include "overlap/BallMesh.hpp"
+#include "overlap/ball/BallMesh.hpp"
 
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 // Prints a row per h/d: all candidate pairs, and those in which the circle passes through the cell.
 
 #include "bestOf.hpp"
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 
 #include <cstdio>
 #include <random>

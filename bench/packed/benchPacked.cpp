@@ -6,8 +6,8 @@
 //     benchPacked make packed.csv                                      lets discs fall and settle; x, y, r
 //     benchPacked run packed.csv steps dt maxSweeps tolerance solver   CPU seconds per step, worst overlap over r
 
-#include "nscd/Packing.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <cmath>
 #include <cstdio>

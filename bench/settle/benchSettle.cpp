@@ -5,7 +5,7 @@
 //
 //     benchSettle init.csv side endTime dt maxSweeps tolerance final.csv [sweeps|queue|nesterov]
 
-#include "nscd/ContactDynamics.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -15,6 +15,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# Ranks that wait leave their core to other tests
+SHARED_CORES = {"OMPI_MCA_mpi_yield_when_idle": "1"}
+
 
 def pytest_sessionstart():
     missing = [name for name in ("blockMesh", "foamDictionary", "mpirun") if not shutil.which(name)]
@@ -43,7 +46,7 @@ class Case:
         done = subprocess.run(
             words,
             cwd=self.path,
-            env=os.environ | {"PWD": str(self.path)},
+            env=os.environ | {"PWD": str(self.path), **SHARED_CORES},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -37,7 +37,7 @@ Usage
 #include "dictionaryInput.H"
 #include "grainChecks.H"
 #include "packingReport.H"
-#include "nscd/SpatialOrder.hpp"
+#include "nscd/search/SpatialOrder.hpp"
 
 //- The order in which grains are written
 template<int D>

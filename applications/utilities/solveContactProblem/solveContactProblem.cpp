@@ -3,8 +3,8 @@
 
 // Solve a frictional contact problem of an FCLIB file; see 'usage' below.
 
-#include "nscd/Fclib.hpp"
-#include "nscd/SparseSolve.hpp"
+#include "nscd/problem/Fclib.hpp"
+#include "nscd/problem/SparseSolve.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/Delassus.hpp"
+#include "nscd/problem/Delassus.hpp"
 
 #include <limits>
 

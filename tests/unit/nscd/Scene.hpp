@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/ContactDynamics.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
 
 #include <algorithm>
 #include <cstring>

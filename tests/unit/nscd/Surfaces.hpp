@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "nscd/Random.hpp"
-#include "nscd/Walls.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/walls/Walls.hpp"
 
 #include <map>
 

@@ -3,8 +3,8 @@
 
 // The tree of boxes against all boxes.
 
-#include "nscd/BoxTree.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/search/BoxTree.hpp"
 
 #include <gtest/gtest.h>
 #include <numeric>

@@ -5,9 +5,9 @@
 
 #include "Messages.hpp"
 
-#include "nscd/Cluster.hpp"
-#include "nscd/Random.hpp"
-#include "nscd/UnionMoments.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/shape/Cluster.hpp"
+#include "nscd/shape/UnionMoments.hpp"
 
 #include <gtest/gtest.h>
 

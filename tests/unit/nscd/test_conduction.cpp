@@ -6,7 +6,7 @@
 #include "Messages.hpp"
 #include "Scene.hpp"
 
-#include "nscd/Conduction.hpp"
+#include "nscd/heat/Conduction.hpp"
 
 #include <gtest/gtest.h>
 

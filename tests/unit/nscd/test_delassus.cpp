@@ -4,7 +4,7 @@
 // The Delassus operator of rigid bodies against their equations of motion.
 
 #include "Bodies.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
 
 #include <gtest/gtest.h>
 

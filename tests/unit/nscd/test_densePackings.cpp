@@ -5,8 +5,8 @@
 
 #include "Messages.hpp"
 
-#include "nscd/DensePacking.hpp"
-#include "nscd/SizeDistribution.hpp"
+#include "nscd/packing/DensePacking.hpp"
+#include "nscd/packing/SizeDistribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Bisection.hpp"
-#include "nscd/Schedule.hpp"
+#include "nscd/contact/Schedule.hpp"
+#include "nscd/search/Bisection.hpp"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -5,8 +5,8 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Cluster.hpp"
-#include "nscd/Fclib.hpp"
+#include "nscd/problem/Fclib.hpp"
+#include "nscd/shape/Cluster.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -3,8 +3,8 @@
 
 // Contact problems in FCLIB files.
 
-#include "nscd/Fclib.hpp"
-#include "nscd/Hdf5.hpp"
+#include "nscd/io/Hdf5.hpp"
+#include "nscd/problem/Fclib.hpp"
 
 #include <gtest/gtest.h>
 

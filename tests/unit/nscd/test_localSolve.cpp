@@ -3,9 +3,9 @@
 
 // One contact with coupled normal and tangential directions.
 
-#include "nscd/Contact.hpp"
-#include "nscd/LocalSolve.hpp"
-#include "nscd/Random.hpp"
+#include "nscd/base/Random.hpp"
+#include "nscd/contact/Contact.hpp"
+#include "nscd/contact/LocalSolve.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Packing.hpp"
-#include "nscd/State.hpp"
+#include "nscd/dynamics/State.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Packing.hpp"
+#include "nscd/packing/Packing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Hdf5.hpp"
+#include "nscd/io/Hdf5.hpp"
 
 #include <csignal>
 #include <cstdio>

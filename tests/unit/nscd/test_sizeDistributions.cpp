@@ -5,7 +5,7 @@
 
 #include "Messages.hpp"
 
-#include "nscd/SizeDistribution.hpp"
+#include "nscd/packing/SizeDistribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 // The block-sparse contact problem and its residual.
 
-#include "nscd/SparseProblem.hpp"
+#include "nscd/problem/SparseProblem.hpp"
 
 #include <gtest/gtest.h>
 

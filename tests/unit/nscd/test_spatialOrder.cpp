@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nscd/SpatialOrder.hpp"
+#include "nscd/search/SpatialOrder.hpp"
 
 #include <gtest/gtest.h>
 

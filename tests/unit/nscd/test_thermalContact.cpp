@@ -3,7 +3,7 @@
 
 // Conductance of one contact.
 
-#include "nscd/ThermalContact.hpp"
+#include "nscd/heat/ThermalContact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "Scene.hpp"
 #include "Surfaces.hpp"
 
-#include "nscd/WallContact.hpp"
+#include "nscd/walls/WallContact.hpp"
 
 #include <gtest/gtest.h>
 

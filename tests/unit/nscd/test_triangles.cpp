@@ -5,7 +5,7 @@
 
 #include "Surfaces.hpp"
 
-#include "nscd/WallContact.hpp"
+#include "nscd/walls/WallContact.hpp"
 
 #include <gtest/gtest.h>
 

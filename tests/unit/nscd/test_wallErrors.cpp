@@ -5,7 +5,7 @@
 
 #include "Surfaces.hpp"
 
-#include "nscd/Validation.hpp"
+#include "nscd/dynamics/Validation.hpp"
 
 #include <gtest/gtest.h>
 

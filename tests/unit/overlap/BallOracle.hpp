@@ -9,7 +9,7 @@
 // done by Gauss's rule, in the variable u with y = D sinh(u) along an edge at distance D from the foot, in which the
 // integrands are analytic in a strip of width pi.
 
-#include "overlap/Polyhedron.hpp"
+#include "overlap/mesh/Polyhedron.hpp"
 
 #include <quadmath.h>
 

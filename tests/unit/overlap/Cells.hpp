@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/BallPolyhedron.hpp"
+#include "overlap/ball/BallPolyhedron.hpp"
 
 #include <Eigen/Geometry>
 #include <random>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Cells.hpp"
-#include "overlap/PolyhedralMesh.hpp"
+#include "overlap/mesh/PolyhedralMesh.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "overlap/DiscPolygon.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 
 #include <cmath>
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Meshes.hpp"
-#include "overlap/BallMesh.hpp"
+#include "overlap/ball/BallMesh.hpp"
 
 #include <gtest/gtest.h>
 

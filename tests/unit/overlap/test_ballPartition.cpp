@@ -4,7 +4,7 @@
 // The parts of a ball in the cells of a mesh add up to the ball.
 
 #include "Meshes.hpp"
-#include "overlap/BallMesh.hpp"
+#include "overlap/ball/BallMesh.hpp"
 
 #include <gtest/gtest.h>
 

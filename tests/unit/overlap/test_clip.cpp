@@ -3,7 +3,7 @@
 
 #include "BallOracle.hpp"
 #include "Meshes.hpp"
-#include "overlap/Clip.hpp"
+#include "overlap/clip/Clip.hpp"
 #include "Shapes.hpp"
 
 #include <gtest/gtest.h>

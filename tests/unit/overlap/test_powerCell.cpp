@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Meshes.hpp"
-#include "overlap/BallMesh.hpp"
-#include "overlap/Clip.hpp"
+#include "overlap/ball/BallMesh.hpp"
+#include "overlap/clip/Clip.hpp"
 #include "Shapes.hpp"
 
 #include <gtest/gtest.h>

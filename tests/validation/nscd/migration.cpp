@@ -6,7 +6,7 @@
 
 #include "Scene.hpp"
 
-#include "nscd/Bisection.hpp"
+#include "nscd/search/Bisection.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,0 +1,146 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainDynamics.H"
+
+#include "nscd/shape/Members.hpp"
+#include "planarCells.H"
+#include "spatialCells.H"
+
+template<int D>
+Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<D>::cells() const
+{
+    if constexpr (D == 2)
+    {
+        return autoPtr<grainCells>(new planarCells(space()));
+    }
+    else
+    {
+        return autoPtr<grainCells>(new spatialCells(mesh()));
+    }
+}
+
+
+template<int D>
+Foam::grainBodies Foam::grainDynamics<D>::bodies() const
+{
+    const nscd::Grains<D>& g = grains();
+
+    // Of the lengths that the fluid sees
+    const scalar ratio = space().lengthRatio(properties_.packingRatio());
+
+    grainBodies result;
+    result.centre.resize(size());
+    result.radius.resize(size());
+    result.start.resize(size() + 1);
+    result.start[0] = 0;
+
+    if (g.clusters.empty())
+    {
+        result.member.resize(size());
+        forAll(result.member, i)
+        {
+            result.centre[i] = space().positionInSpace(g.position[i]);
+            result.radius[i] = ratio*radius(i);
+            result.start[i + 1] = i + 1;
+            result.member[i] = {result.centre[i], result.radius[i]};
+        }
+        return result;
+    }
+
+    const nscd::Members<D> members(g);
+    const nscd::Vectors<D> centres(members.positions(g.position, g.orientation));
+    result.member.resize(members.size());
+    forAll(result.centre, i)
+    {
+        const point x(space().positionInSpace(g.position[i]));
+        result.centre[i] = x;
+        result.radius[i] = ratio*radius(i);
+        if (g.shape[i] >= 0)
+        {
+            result.radius[i] *= space().lengthRatio
+            (
+                space().volume(g, i)/space().volume(radius(i))
+            );
+        }
+
+        result.start[i + 1] = members.first(i + 1);
+        for (label m = result.start[i]; m < result.start[i + 1]; ++m)
+        {
+            const vector arm(space().positionInSpace(centres[m]) - x);
+            result.member[m] = {x + ratio*arm, ratio*members.radius()[m]};
+        }
+    }
+    return result;
+}
+
+
+template<int D>
+Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
+(
+    const label graini,
+    const scalar deltaT
+) const
+{
+    const scalar lastDeltaT = dynamics().lastTimeStep();
+    if (isFixed() || lastDeltaT <= 0)
+    {
+        return {Zero, Zero};
+    }
+
+    const nscd::Spin<D> spin
+    (
+        nscd::spinOf<D>
+        (
+            grains(), graini, grains().orientation[graini],
+            dynamics().contactSpinImpulse()[graini]
+        )
+    );
+    const scalar scale = deltaT/lastDeltaT;
+    return
+    {
+        scale*space().toSpace(dynamics().contactImpulse()[graini])
+       /grains().mass[graini],
+        scale*space().spinInSpace(spin)
+    };
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::move
+(
+    const vectorField& fluidForce,
+    const vectorField& fluidTorque,
+    const scalar deltaT
+)
+{
+    if (!isFixed())
+    {
+        advance(fluidForce, fluidTorque, deltaT);
+    }
+    fluidForce_ = fluidForce;
+}
+
+
+template Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<2>::cells() const;
+template Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<3>::cells() const;
+template Foam::grainBodies Foam::grainDynamics<2>::bodies() const;
+template Foam::grainBodies Foam::grainDynamics<3>::bodies() const;
+template Foam::grainMotion::twist Foam::grainDynamics<2>::contactChange
+(
+    const label, const scalar
+) const;
+template Foam::grainMotion::twist Foam::grainDynamics<3>::contactChange
+(
+    const label, const scalar
+) const;
+template void Foam::grainDynamics<2>::move
+(
+    const vectorField&, const vectorField&, const scalar
+);
+template void Foam::grainDynamics<3>::move
+(
+    const vectorField&, const vectorField&, const scalar
+);

@@ -1,0 +1,77 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "denseGrains.H"
+
+#include "dictionaryInput.H"
+#include "grainMaterials.H"
+#include "nscd/packing/DensePacking.hpp"
+#include "readGeometry.H"
+
+addToSelection(grainSource, grainSources, dense)
+
+template<int D>
+Foam::grainSources::dense<D>::dense
+(
+    const dictionary& dict,
+    const typename grainSource<D>::context& ctx
+)
+:
+    grainSource<D>(dict, ctx),
+    dict_(dict),
+    box_(readBox(dict, ctx.space)),
+    solidFraction_
+    (
+        dictionaryInput::getScalar(dict, "solidFraction", dimless, 0, 1)
+    ),
+    distribution_
+    (
+        sizeDistribution::New(dictionaryInput::subDict(dict, "distribution"))
+    ),
+    material_(ctx.materials.index(dict, "material"))
+{
+    this->checkKeywords(dict, {"box", "solidFraction", "distribution"});
+
+    for (int d = 0; d < D; ++d)
+    {
+        // Coordinates are written with a finite number of digits
+        const scalar period = ctx.contact.period[d];
+        periodic_[d] =
+            mag(box_.upper[d] - box_.lower[d] - period) < 1e-6*period;
+        if (periodic_[d])
+        {
+            box_.upper[d] = box_.lower[d] + period;
+        }
+    }
+}
+
+
+template<int D>
+nscd::Grains<D> Foam::grainSources::dense<D>::read() const
+{
+    try
+    {
+        const std::vector<double> radii = nscd::drawRadii<D>
+        (
+            distribution_->sizes(D), box_, solidFraction_, this->seed_
+        );
+        return this->grains
+        (
+            nscd::densePacking<D>(box_, radii, this->seed_, periodic_),
+            radii,
+            material_
+        );
+    }
+    catch (const std::exception& err)
+    {
+        dictionaryInput::badValue
+        (
+            dict_, "solidFraction", Foam::name(solidFraction_),
+            "one that grains of this distribution reach in the box; "
+          + string(err.what())
+        );
+    }
+    return nscd::Grains<D>();
+}

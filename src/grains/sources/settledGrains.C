@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "settledGrains.H"
+
+#include "dictionaryInput.H"
+#include "grainMaterials.H"
+#include "grainWalls.H"
+#include "nscd/packing/Packing.hpp"
+
+addToSelection(grainSource, grainSources, settled)
+
+template<int D>
+Foam::grainSources::settled<D>::settled
+(
+    const dictionary& dict,
+    const typename grainSource<D>::context& ctx
+)
+:
+    grainSource<D>(dict, ctx),
+    dict_(dict),
+    deltaT_(dictionaryInput::getPositive(dict, "deltaT", dimTime)),
+    maxSpeed_
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "maxSpeed", dimVelocity, 1e-3
+        )
+    ),
+    maxTime_
+    (
+        dictionaryInput::getPositiveOrDefault(dict, "maxTime", dimTime, 100)
+    )
+{
+    dictionaryInput::checkKeywords
+    (
+        dict, {"type", "from", "deltaT", "maxSpeed", "maxTime", "output"}
+    );
+}
+
+
+template<int D>
+nscd::Grains<D> Foam::grainSources::settled<D>::atRest
+(
+    const nscd::Grains<D>& grains
+) const
+{
+    // Grains at rest need few sweeps, but on the way there a pile that is not
+    // solved to the tolerance creeps
+    nscd::Settings contact(this->context_.contact);
+    contact.maxSweeps = std::max(contact.maxSweeps, 1000);
+
+    nscd::Settled<D> result = nscd::settle<D>
+    (
+        nscd::ContactDynamics<D>
+        (
+            grains,
+            this->context_.walls.walls(),
+            this->context_.materials.contactTable(),
+            contact,
+            MPI_COMM_WORLD,
+            this->context_.walls.bodies()
+        ),
+        this->context_.space.fromSpace(this->context_.g),
+        deltaT_,
+        maxSpeed_,
+        maxTime_
+    );
+
+    if (!result.atRest)
+    {
+        dictionaryInput::badValue
+        (
+            dict_, "maxTime", Foam::name(maxTime_),
+            "a time in which the grains come to rest and stay so; the fastest"
+            " moves at " + Foam::name(result.maxVelocity) + " m/s"
+        );
+    }
+    Info<< "Grains settled in " << result.time << " s" << endl;
+
+    std::fill
+    (
+        result.grains.velocity.begin(), result.grains.velocity.end(),
+        nscd::Vector<D>::Zero()
+    );
+    std::fill
+    (
+        result.grains.spin.begin(), result.grains.spin.end(),
+        nscd::Spin<D>::Zero()
+    );
+    return result.grains;
+}
+
+
+template<int D>
+nscd::Grains<D> Foam::grainSources::settled<D>::read() const
+{
+    const nscd::Grains<D> start
+    (
+        grainSource<D>::New
+        (
+            dictionaryInput::subDict(dict_, "from"), this->context_
+        )->read()
+    );
+
+    // Wedged grains hang on forces that only their history explains.  A run
+    // starts without them, and so does the second settling.
+    return atRest(atRest(start));
+}

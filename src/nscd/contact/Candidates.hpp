@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/base/Communicator.hpp"
+#include "nscd/shape/Members.hpp"
+#include "nscd/walls/WallContact.hpp"
+
+namespace nscd
+{
+
+/// Two members in solver order, first < second, or a member and wall ~second where second < 0.
+struct Pair
+{
+    int first, second;
+};
+
+/// Pairs [begin, end) inside block 'first' (second == first; the block's walls included) or between two blocks,
+/// first < second.  The last block is that of the free wall bodies, if there are any.
+struct Group
+{
+    int first, second;
+    std::size_t begin, end;
+};
+
+/// What there is to be watched, and how closely.
+template <int D>
+struct Watch
+{
+    const Members<D>& members;
+    const WallContact<D>& walls;
+    const std::vector<int>& freeBodyOfWall;   ///< index of the free body each wall belongs to; -1 for none
+    int freeBodies;
+    double skin;                              ///< [m]
+    int blocks;
+    std::array<double, 3> period;             ///< [m], 0 where not periodic
+};
+
+/// The grains cut into spatial blocks and sorted for locality, and the pairs of members that are worth watching: those
+/// nearer than the skin at the positions the list was made for.  A function of these positions, the radii and the
+/// skin alone.  Blocks are dealt to the ranks; a rank lists the pairs whose lower block is its own.
+template <int D>
+class Candidates
+{
+public:
+    Candidates() = default;
+    Candidates(const Watch<D>& watch, const Vectors<D>& positions, const Orientations<D>& orientations,
+               const Communicator& communicator);
+
+    /// Can no unlisted pair come into contact before members and walls have gone further than these displacements?
+    bool cover(double members, double walls) const
+    {
+        return !order_.empty() && members + std::max(members, walls) <= skin_;
+    }
+
+    double skin() const { return skin_; }
+    const Vectors<D>& positions() const { return positions_; }
+    const Orientations<D>& orientations() const { return orientations_; }
+
+    /// User's number of the grain at each place of solver order, and of the member.
+    const std::vector<int>& order() const { return order_; }
+    const std::vector<int>& memberOrder() const { return memberOrder_; }
+
+    /// Place of each of the user's grains.
+    const std::vector<int>& place() const { return place_; }
+
+    /// Place of the grain that a member belongs to.
+    int body(int member) const { return body_[member]; }
+
+    /// Place of a pair's second body; walls that are not free are the one body after all others.
+    int secondBody(const Pair& pair) const
+    {
+        return pair.second >= 0 ? body_[pair.second] : wallBody_[~pair.second];
+    }
+
+    /// Number of grains and free wall bodies: the place of the fixed body.
+    int fixedBody() const { return fixedBody_; }
+
+    /// First body of every rank, and the number of bodies at the end.  The last rank has the free wall bodies.
+    const std::vector<std::size_t>& rankBegin() const { return rankBegin_; }
+
+    /// Blocks of grains and, if there are free wall bodies, one more.
+    int blocks() const { return static_cast<int>(blockRank_.size()); }
+    int rankOf(int block) const { return blockRank_[block]; }
+
+    /// This rank's groups: of each of its blocks the block itself, then its pairs with higher blocks.
+    const std::vector<Group>& groups() const { return groups_; }
+    const std::vector<Pair>& pairs() const { return pairs_; }
+
+private:
+    void sort(const Watch<D>& watch, const Vectors<D>& members, const Vectors<D>& grains,
+              const Communicator& communicator);
+    void dealBlocks(int blocks, bool wallBlock, int ranks);
+    void append(int first, int second, const std::vector<Pair>& pairs);
+
+    double skin_ = 0;
+    Vectors<D> positions_;
+    Orientations<D> orientations_;
+    std::vector<int> order_, place_, memberOrder_, memberPlace_, body_, wallBody_;
+    std::vector<int> blockOf_;   ///< of members, by place
+    std::vector<int> grainBegin_, memberBegin_, blockRank_;
+    std::vector<std::size_t> rankBegin_;
+    int fixedBody_ = 0;
+    std::vector<Group> groups_;
+    std::vector<Pair> pairs_;
+};
+
+}  // namespace nscd

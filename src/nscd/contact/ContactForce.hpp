@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/base/Types.hpp"
+
+namespace nscd
+{
+
+/// A contact that carried an impulse in the last sub-step.
+template <int D>
+struct ContactForce
+{
+    int first, second;   ///< grains; second < 0: wall ~second
+    Vector<D> point;     ///< in the middle of gap or overlap [m]
+    Vector<D> normal;    ///< from the first to the second
+    Vector<D> force;     ///< on the second: impulse over the sub-step [N]
+    double gap;          ///< [m], at the beginning of the sub-step
+    double pressing;     ///< with which the surfaces press on each other >= 0 [N]: what the normal part of the force
+                         ///< and the attraction of a cohesive contact add up to
+};
+
+}  // namespace nscd

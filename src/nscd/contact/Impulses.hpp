@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/contact/Candidates.hpp"
+#include "nscd/contact/Contact.hpp"
+
+namespace nscd
+{
+
+/// Impulse on the second body of a pair, see Contact.
+template <int D>
+struct Impulse
+{
+    double normal = 0;
+    Tangent<D> tangential = zeroTangent<D>();
+    Tangent<D> rolling = zeroTangent<D>();   ///< angular impulse on the second [N m s]
+    double age = 0;   ///< how long the contact has carried an impulse without a break [s]
+};
+
+/// An impulse that outlives the candidate list: named by user's numbers of members, a < b, or by a member and wall ~b,
+/// and meaning the impulse on b.
+template <int D>
+struct NamedImpulse
+{
+    int a, b;
+    Impulse<D> impulse;
+};
+
+/// The non-zero impulses of all ranks, on every rank, in an order that does not depend on the number of ranks.
+template <int D>
+std::vector<NamedImpulse<D>> gatherImpulses(const Candidates<D>& candidates, const std::vector<Impulse<D>>& impulses,
+                                            const Communicator& communicator);
+
+/// The impulses of this rank's candidates; zero for pairs that are not in the list.
+template <int D>
+std::vector<Impulse<D>> matchImpulses(const Candidates<D>& candidates, const std::vector<NamedImpulse<D>>& known);
+
+}  // namespace nscd

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// ContactDynamics::add: grains come, those that are there keep their contacts.
+
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/Validation.hpp"
+#include "nscd/shape/Append.hpp"
+
+namespace nscd
+{
+
+template <int D>
+void ContactDynamics<D>::Implementation::add(const Grains<D>& more)
+{
+    Grains<D> all = grains_;
+    append(all, more);
+    validate(all, table_);
+    validate(settings_, all);
+
+    // Members are numbered grain by grain: those that are there keep their numbers
+    contactsOfOthers_ = ownContacts();
+    const std::vector<NamedImpulse<D>> impulses = gatherImpulses(candidates_, impulses_, communicator_);
+
+    grains_ = std::move(all);
+    contactImpulse_.resize(grains_.size(), Vector<D>::Zero());
+    contactSpinImpulse_.resize(grains_.size(), Spin<D>::Zero());
+
+    measureGrains();
+    problem_.clear();
+    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
+    candidateWalls_ = wallBodies_;
+}
+
+template void ContactDynamics<2>::Implementation::add(const Grains<2>&);
+template void ContactDynamics<3>::Implementation::add(const Grains<3>&);
+
+}  // namespace nscd

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/base/Mpi.hpp"
+#include "nscd/contact/ContactForce.hpp"
+#include "nscd/contact/ContactTable.hpp"
+#include "nscd/problem/Solver.hpp"
+#include "nscd/shape/Grains.hpp"
+#include "nscd/walls/Walls.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace nscd
+{
+
+/// How the contact problem is solved.
+struct Settings
+{
+    /// Allowed error of a grain's position per (sub-)step [m]; the sweeps stop when the natural-map
+    /// residual, in velocity units, is below tolerance/dt.
+    double tolerance = 1e-7;
+
+    /// Sweeps after which a step is accepted as it is (the report says so).
+    int maxSweeps = 200;
+
+    /// A sub-step moves no grain by more than this fraction of the smallest diameter.
+    double maxDisplacement = 0.5;
+
+    /// Number of spatial blocks, a power of two. The result depends on it, but not on the number of ranks.
+    int blocks = 8;
+
+    Solver solver = Solver::sweeps;
+
+    /// Length of the periodic box along each axis [m]; 0 where it is not periodic.  Positions are not wrapped.
+    std::array<double, 3> period{0, 0, 0};
+};
+
+/// What one step did.
+struct StepReport
+{
+    std::size_t candidates = 0;   ///< pairs watched by the broad phase
+    std::size_t contacts = 0;     ///< contacts in the last contact problem (pairs that may touch within the step)
+    std::size_t active = 0;       ///< contacts with a non-zero impulse after the last sub-step
+    int subSteps = 0;
+    int sweeps = 0;               ///< passes over the contacts, summed over the sub-steps
+    std::size_t solves = 0;       ///< local solutions, of all ranks
+    bool converged = true;        ///< every sub-step reached the tolerance
+    double residual = 0;          ///< worst natural-map residual at the end of a sub-step [m/s]
+    double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
+    double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
+    double maxVelocity = 0;       ///< [m/s], after the step
+    double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
+                                  ///< would have moved; never positive without restitution or moving walls [J]
+    double detectionTime = 0;     ///< wall clock [s]
+    double solutionTime = 0;      ///< wall clock [s]
+};
+
+/// Grains and walls in frictional contact (Signorini-Coulomb, time stepping after
+/// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel:
+///     r_n >= 0,  u_n + max(gap, 0)/dt >= 0,  complementary,  and  |r_t| <= mu r_n.
+/// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
+/// velocity and no impulse from it.  A contact that carried an impulse in the step before lets its grains approach
+/// again only once its gap exceeds 0.5 % of the smaller radius.
+///
+/// Every rank holds the state of all grains; the contact problem is shared out over the ranks by spatial blocks.
+/// The result is the same, bit for bit, for every number of ranks.  Works without MPI_Init on one rank.
+template <int D>
+class ContactDynamics
+{
+public:
+    /// 'wallBodies' are at their initial place.
+    /// Throws std::invalid_argument for sizes that differ, radii or masses <= 0, values that are not
+    /// finite, materials outside the table, or senseless settings; the message names the grain's id.
+    ContactDynamics(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings,
+                    MPI_Comm communicator = MPI_COMM_WORLD, std::vector<WallBody<D>> wallBodies = {});
+    ~ContactDynamics();
+
+    ContactDynamics(ContactDynamics&&) noexcept;
+    ContactDynamics& operator=(ContactDynamics&&) noexcept;
+
+    const Grains<D>& grains() const;
+    const Walls<D>& walls() const;
+    const Settings& settings() const;
+
+    /// Bodies of the walls as they are now; wall(i).body is an index into them.
+    const std::vector<WallBody<D>>& wallBodies() const;
+
+    /// Velocity [m/s] and spin [rad/s] of a wall body in the steps to come.  Throws std::invalid_argument.
+    void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
+
+    /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
+    void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
+
+    /// Contacts of all ranks in the last step, in an order that does not depend on the number of ranks; after remove()
+    /// those between what has stayed, after load() none.  Collective.
+    std::vector<ContactForce<D>> contacts() const;
+
+    /// Write the contact problem of the last sub-step and the impulses that were found for it in FCLIB's local form
+    /// (see Fclib.hpp), for comparison with other solvers.  Rolling moments and attractions are part of its q.
+    /// Written by rank 0; collective.  Throws std::runtime_error.
+    void dumpContactProblem(const std::string& file) const;
+
+    /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
+    void setTemperature(std::vector<double> temperature);
+
+    /// Take the marked grains away; the others keep their order, their contacts and the impulses.  Collective.
+    /// Throws std::invalid_argument unless there is one mark per grain.
+    void remove(const std::vector<bool>& gone);
+
+    /// Put more grains in, after the others, which keep their order, their contacts and the impulses.  The new ones'
+    /// clusters are those that the others have.  Collective.  Throws std::invalid_argument as the constructor does.
+    void add(const Grains<D>& more);
+
+    /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
+    /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
+    /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.
+    StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+
+    /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.
+    const Vectors<D>& contactImpulse() const;
+    const Spins<D>& contactSpinImpulse() const;
+
+    /// Length of the last step [s]; 0 before the first.
+    double lastTimeStep() const;
+
+    /// Deepest penetration of the present positions [m].
+    double worstOverlap() const;
+
+    /// Write grains, contacts and impulses to an HDF5 file: under a temporary name first, then renamed, so that
+    /// the file is either complete or absent.  Written by rank 0; collective.  Throws std::runtime_error.
+    void save(const std::string& file, double time) const;
+
+    /// Replace the state by a saved one and return its time: continuing equals, bit for bit, never having
+    /// stopped.  The number of grains comes from the file.  Throws std::runtime_error naming file and reason.
+    double load(const std::string& file);
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+extern template class ContactDynamics<2>;
+extern template class ContactDynamics<3>;
+
+}  // namespace nscd

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What ContactDynamics holds, and how it is set.
+
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
+#include "nscd/dynamics/Validation.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace nscd
+{
+
+template <int D>
+ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> walls, ContactTable table,
+                                                   Settings settings, MPI_Comm communicator,
+                                                   std::vector<WallBody<D>> wallBodies)
+    : grains_(std::move(grains)), walls_((validate<D>(walls, table, wallBodies), std::move(walls))),
+      table_((validate(table), std::move(table))), settings_((validate(settings), settings)),
+      communicator_(communicator),
+      initialWallBodies_(std::move(wallBodies)), wallBodies_(initialWallBodies_),
+      arrangement_(walls_, table_, settings.period)
+{
+    validate(grains_, table_);
+    validate(settings_, grains_);
+    validate<D>(settings_, walls_);
+    contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
+    contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
+    measureGrains();
+    measureWalls();
+    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, {});
+    StepReport report;
+    measureOverlaps(report);
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureGrains()
+{
+    members_ = Members<D>(grains_);
+    smallestRadius_ = std::numeric_limits<double>::max();
+    meanRadius_ = 0;
+    for (const double r : members_.radius())
+    {
+        smallestRadius_ = std::min(smallestRadius_, r);
+        meanRadius_ += r / static_cast<double>(members_.size());
+    }
+    bounces_ = false;
+    levered_ = !members_.simple() || freeBodies() > 0;
+    for (int a = 0; a < table_.materials(); ++a)
+    {
+        for (int b = a; b < table_.materials(); ++b)
+        {
+            bounces_ = bounces_ || table_(a, b).restitution > 0;
+            levered_ = levered_ || table_(a, b).rolling > 0;
+        }
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureWalls()
+{
+    candidateWalls_ = wallBodies_;
+    wallExtent_.assign(wallBodies_.size(), 0.0);
+    std::vector<int> number(wallBodies_.size(), -1);
+    int free = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        number[b] = isFree(wallBodies_[b]) ? free++ : -1;
+    }
+    freeBodyOfWall_.clear();
+    for (const auto& wall : walls_)
+    {
+        const int body = bodyOf(wall);
+        freeBodyOfWall_.push_back(body < 0 ? -1 : number[body]);
+        if (body >= 0)
+        {
+            wallExtent_[body] = std::max(wallExtent_[body], extentFrom(wall, initialWallBodies_[body].position));
+        }
+    }
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin)
+{
+    checkWallBody(body, false, isFinite(velocity) && isFinite(spin));
+    checkSpin<D>(walls_, body, spin);
+    wallBodies_[body].velocity = velocity;
+    wallBodies_[body].spin = spin;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque)
+{
+    checkWallBody(body, true, isFinite(force) && isFinite(torque));
+    wallBodies_[body].force = force;
+    wallBodies_[body].torque = torque;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::checkWallBody(int body, bool free, bool finite) const
+{
+    if (body < 0 || body >= static_cast<int>(wallBodies_.size()))
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) + " of " + std::to_string(wallBodies_.size()));
+    }
+    if (isFree(wallBodies_[body]) != free)
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) +
+                                    (free ? " is not free: its motion is prescribed, loads have no effect"
+                                          : " is free: its motion cannot be prescribed"));
+    }
+    if (!finite)
+    {
+        throw std::invalid_argument("wall body " + std::to_string(body) + ": a value is not finite");
+    }
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::ownContacts() const
+{
+    std::vector<ContactForce<D>> mine = contactsOfOthers_;
+    for (ContactForce<D> c : problem_.forces())
+    {
+        c.first = members_.grain(candidates_.memberOrder()[c.first]);
+        c.second = c.second < 0 ? c.second : members_.grain(candidates_.memberOrder()[c.second]);
+        mine.push_back(c);
+    }
+    return mine;
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::contacts() const
+{
+    return communicator_.gather(ownContacts());
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temperature)
+{
+    if (temperature.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " +
+                                    std::to_string(temperature.size()) + " temperatures");
+    }
+    grains_.temperature = std::move(temperature);
+}
+
+template class ContactDynamics<2>::Implementation;
+template class ContactDynamics<3>::Implementation;
+
+}  // namespace nscd

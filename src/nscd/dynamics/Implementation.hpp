@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/base/Stopwatch.hpp"
+#include "nscd/dynamics/ContactDynamics.hpp"
+#include "nscd/dynamics/State.hpp"
+#include "nscd/problem/ContactProblem.hpp"
+
+namespace nscd
+{
+
+template <int D>
+class ContactDynamics<D>::Implementation
+{
+public:
+    Implementation(Grains<D> grains, Walls<D> walls, ContactTable table, Settings settings, MPI_Comm communicator,
+                   std::vector<WallBody<D>> wallBodies);
+
+    const Grains<D>& grains() const { return grains_; }
+    const Walls<D>& walls() const { return walls_; }
+    const Settings& settings() const { return settings_; }
+    const Vectors<D>& contactImpulse() const { return contactImpulse_; }
+    const Spins<D>& contactSpinImpulse() const { return contactSpinImpulse_; }
+    double lastTimeStep() const { return lastTimeStep_; }
+    double worstOverlap() const { return worstOverlap_; }
+
+    const std::vector<WallBody<D>>& wallBodies() const { return wallBodies_; }
+
+    void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
+    void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
+    std::vector<ContactForce<D>> contacts() const;
+    void dumpContactProblem(const std::string& file) const;
+    StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void setTemperature(std::vector<double> temperature);
+    void remove(const std::vector<bool>& gone);
+    void add(const Grains<D>& more);
+    void save(const std::string& file, double time) const;
+    double load(const std::string& file);
+    void restoreWalls(const State<D>& state);
+
+private:
+    /// Velocities that the grains would have without contacts.
+    struct FreeMotion
+    {
+        Vectors<D> velocity;
+        Spins<D> spin;
+        double largestSpeed = 0;
+    };
+
+    /// A list of candidates made for grains at rest holds until one has moved by half this fraction of the mean radius.
+    static constexpr double restSkin = 0.3;
+
+    void measureGrains();
+    void measureWalls();
+    void checkWallBody(int body, bool free, bool finite) const;
+    int countSubSteps(double dt) const;
+
+    /// Stop a run that has blown up, which would overflow or hang: throws std::runtime_error if a grain or a wall
+    /// would move by more than ten thousand sub-steps allow [m].
+    void requireReach(double farthest, double dt) const;
+
+    /// Contacts of this rank in the last step.
+    std::vector<ContactForce<D>> ownContacts() const;
+
+    void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void advance(double dt, StepReport& report);
+    void updateCandidates(double dt);
+    void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, double skin,
+                           const std::vector<NamedImpulse<D>>& impulses);
+    void makeBodies(double dt);
+
+    /// One pass of the chosen solver over all groups; its largest change is that of all ranks.  Collective.
+    Change pass(double tolerance);
+
+    /// Sweep until the impulses are within the tolerance; false when the sweeps run out.
+    bool solve(double dt, StepReport& report);
+
+    /// Displacements over dt that take overlaps away without touching the grains' velocity.  (With the correction
+    /// inside the impulses, warm-started sweeps that do not converge make a deep pile bounce for ever: the correction
+    /// would have to be slower than the sweeps carry impulses through the pile.)
+    void separate(double dt, bool converged);
+
+    void move(double dt, StepReport& report);
+    void moveWalls(double dt, StepReport& report);
+
+    /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
+    double wallDisplacement(double dt) const;
+
+    /// Bound of the speed of a point of a wall in a step without contacts [m/s].
+    double largestWallSpeed(double dt) const;
+
+    static bool isFree(const WallBody<D>& wall) { return std::isfinite(wall.mass); }
+    int freeBodies() const { return static_cast<int>(std::count_if(wallBodies_.begin(), wallBodies_.end(), isFree)); }
+
+    /// Penetration of the present positions; collective.
+    void measureOverlaps(StepReport& report);
+
+    Grains<D> grains_;
+    Walls<D> walls_;
+    ContactTable table_;
+    Settings settings_;
+    Communicator communicator_;
+    const std::vector<WallBody<D>> initialWallBodies_;
+    std::vector<WallBody<D>> wallBodies_, candidateWalls_;   ///< now, and when the candidates were listed
+    std::vector<double> wallExtent_;      ///< of each body: farthest point of its walls from its position [m]
+    std::vector<int> freeBodyOfWall_;     ///< number of the free body a wall belongs to; -1 for none
+    Arrangement<D> arrangement_;
+
+    bool bounces_ = false, levered_ = false;   ///< do some contacts?
+    Members<D> members_;
+    double smallestRadius_ = 0, meanRadius_ = 0;
+    Candidates<D> candidates_;
+    FreeMotion free_;                    ///< of the present sub-step
+    BodyData<D> data_;
+    std::unique_ptr<Schedule<D>> schedule_;
+    ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
+    std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
+    std::vector<Body<D>> bodies_;
+    std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps
+    std::size_t solves_ = 0;             ///< of this rank in this sub-step
+    std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
+
+    Vectors<D> contactImpulse_;
+    Spins<D> contactSpinImpulse_;
+    double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
+};
+
+}  // namespace nscd

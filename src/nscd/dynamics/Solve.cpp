@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// ContactDynamics' passes over the contact problem until its residual is small.
+
+#include "nscd/dynamics/Implementation.hpp"
+
+#include <numeric>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
+constexpr int firstLook = 4;
+
+/// Part of the tolerance below which the work queue lets changes wait.
+constexpr double waiting = 0.3;
+
+/// Part of the sweeps after which momentum is given up: friction has no potential, and the last digits are those of
+/// plain sweeps.
+constexpr double momentumUntil = 0.75;
+
+/// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before.
+class Momentum
+{
+public:
+    /// Factor after a pass that changed this much.
+    double next(double change)
+    {
+        if (change > last_)
+        {
+            restart();
+            return 0;
+        }
+        last_ = change;
+        const double theta = 0.5 * (1 + std::sqrt(1 + 4 * theta_ * theta_));
+        const double factor = (theta_ - 1) / theta;
+        theta_ = theta;
+        return factor;
+    }
+
+    void restart()
+    {
+        theta_ = 1;
+        last_ = std::numeric_limits<double>::infinity();
+    }
+
+private:
+    double theta_ = 1;
+    double last_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+template <int D>
+Change ContactDynamics<D>::Implementation::pass(double tolerance)
+{
+    std::vector<double> sums(candidates_.blocks(), 0.0);
+    Change total;
+    schedule_->pass(bodies_,
+                    [&](int group)
+                    {
+                        const Change change = settings_.solver == Solver::queue
+                                                  ? problem_.workQueue(group, bodies_, waiting * tolerance)
+                                                  : problem_.sweep(group, bodies_);
+                        sums[candidates_.groups()[group].first] += change.sum;
+                        total.solves += change.solves;
+                        total.largest = std::max(total.largest, change.largest);
+                    });
+    total.largest = communicator_.max(total.largest);
+    if (settings_.solver == Solver::nesterov)
+    {
+        communicator_.sum(sums);
+        total.sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    }
+    return total;
+}
+
+template <int D>
+bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
+{
+    const double tolerance = settings_.tolerance / dt;
+    double worthLooking = tolerance;
+    int nextLook = firstLook;
+    double residual = 0;
+    Momentum momentum;
+    const bool accelerated = settings_.solver == Solver::nesterov;
+    const std::vector<std::size_t>& own = candidates_.rankBegin();
+    const int rank = communicator_.rank();
+    if (accelerated)
+    {
+        problem_.remember(bodies_);
+    }
+    for (int sweeps = 1; sweeps <= settings_.maxSweeps; ++sweeps)
+    {
+        const Change done = pass(tolerance);
+        const double change = std::sqrt(done.largest);
+        solves_ += done.solves;
+        ++report.sweeps;
+        if (change <= worthLooking || sweeps == nextLook || sweeps == settings_.maxSweeps)
+        {
+            worthLooking = std::min(worthLooking, change / 2);
+            nextLook = sweeps < nextLook ? nextLook : 4 * nextLook;
+
+            schedule_->refresh(bodies_);
+            residual = communicator_.max(problem_.residual(bodies_));
+            if (residual <= tolerance)
+            {
+                break;
+            }
+            if (communicator_.max(problem_.incomplete()) > 0)
+            {
+                problem_.store(impulses_);
+                problem_.choose(bodies_, impulses_);
+                if (accelerated)
+                {
+                    momentum.restart();
+                    problem_.remember(bodies_);
+                }
+                continue;
+            }
+        }
+        if (accelerated && sweeps < momentumUntil * settings_.maxSweeps)
+        {
+            problem_.extrapolate(momentum.next(done.sum), bodies_, own[rank], own[rank + 1]);
+        }
+    }
+    communicator_.share(bodies_, own);
+    report.residual = std::max(report.residual, residual);
+    report.converged = report.converged && residual <= tolerance;
+    return residual <= tolerance;
+}
+
+template Change ContactDynamics<2>::Implementation::pass(double);
+template Change ContactDynamics<3>::Implementation::pass(double);
+template bool ContactDynamics<2>::Implementation::solve(double, StepReport&);
+template bool ContactDynamics<3>::Implementation::solve(double, StepReport&);
+
+}  // namespace nscd

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One step of ContactDynamics: its sub-steps and its report.
+
+#include "nscd/base/Check.hpp"
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
+#include "nscd/dynamics/Validation.hpp"
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace nscd
+{
+
+namespace
+{
+
+template <int D>
+void requireFinite(const Vectors<D>& vectors, const Spins<D>& spins, const Grains<D>& grains, const char* vectorName,
+                   const char* spinName)
+{
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const bool vectorIsFinite = isFinite(vectors[i]);
+        if (!vectorIsFinite || !isFinite(spins[i]))
+        {
+            throw std::runtime_error("grain " + std::to_string(grains.id[i]) + ": " +
+                                     (vectorIsFinite ? spinName : vectorName) + " is not finite");
+        }
+    }
+}
+
+}  // namespace
+
+template <int D>
+StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, const Spins<D>& torque, double dt)
+{
+    if (force.size() != grains_.size() || torque.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " + std::to_string(force.size()) +
+                                    " forces and " + std::to_string(torque.size()) + " torques");
+    }
+    if (!isPositive(dt))
+    {
+        throw std::invalid_argument("time step " + std::to_string(dt) + " s is not positive");
+    }
+    requireFinite(force, torque, grains_, "force", "torque");
+    requireFinite(grains_.velocity, grains_.spin, grains_, "velocity", "spin");
+
+    StepReport report;
+    setFreeMotion(force, torque, dt);
+    report.subSteps = countSubSteps(dt);
+    std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
+    std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
+    const double subStep = dt / report.subSteps;
+    for (int s = 0; s < report.subSteps; ++s)
+    {
+        if (report.subSteps > 1)
+        {
+            setFreeMotion(force, torque, subStep);
+            requireReach(subStep * std::max(free_.largestSpeed, largestWallSpeed(subStep)), subStep);
+        }
+        advance(subStep, report);
+    }
+    lastTimeStep_ = dt;
+
+    const Stopwatch watch;
+    measureOverlaps(report);
+    for (const Vector<D>& v : grains_.velocity)
+    {
+        report.maxVelocity = std::max(report.maxVelocity, v.norm());
+    }
+    report.detectionTime += watch.seconds();
+    return report;
+}
+
+template <int D>
+int ContactDynamics<D>::Implementation::countSubSteps(double dt) const
+{
+    const double farthest = dt * std::max(free_.largestSpeed, largestWallSpeed(dt));
+    requireReach(farthest, dt);
+    return std::max(1, static_cast<int>(std::ceil(farthest / (settings_.maxDisplacement * 2 * smallestRadius_))));
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt) const
+{
+    constexpr double maxSubSteps = 10000;
+    if (!(farthest / (settings_.maxDisplacement * 2 * smallestRadius_) <= maxSubSteps))
+    {
+        std::ostringstream message;
+        message << "a grain or a wall would move by " << farthest << " m in a step of " << dt
+                << " s: too far for sub-steps";
+        throw std::runtime_error(message.str());
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt)
+{
+    free_.velocity.resize(grains_.size());
+    free_.spin.resize(grains_.size());
+    free_.largestSpeed = 0;
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        free_.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
+        free_.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
+        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free_.spin[i].norm();
+        free_.largestSpeed = std::max(free_.largestSpeed, free_.velocity[i].norm() + turning);
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
+{
+    arrangement_.move(grains_, members_, candidates_);
+    std::vector<double> sums(2 * candidates_.blocks(), 0.0);   // depths and numbers of each block
+    double worst = 0;
+    for (const Group& group : candidates_.groups())
+    {
+        for (std::size_t p = group.begin; p < group.end; ++p)
+        {
+            const double depth = arrangement_.depth(candidates_.pairs()[p]);
+            if (depth > 0)
+            {
+                sums[2 * group.first] += depth;
+                sums[2 * group.first + 1] += 1;
+                worst = std::max(worst, depth);
+            }
+        }
+    }
+    worstOverlap_ = communicator_.max(worst);
+    communicator_.sum(sums);
+    double depth = 0;
+    double number = 0;
+    for (std::size_t b = 0; b < sums.size(); b += 2)
+    {
+        depth += sums[b];
+        number += sums[b + 1];
+    }
+    report.worstOverlap = worstOverlap_;
+    report.meanOverlap = number > 0 ? depth / number : 0;
+}
+
+template StepReport ContactDynamics<2>::Implementation::step(const Vectors<2>&, const Spins<2>&, double);
+template StepReport ContactDynamics<3>::Implementation::step(const Vectors<3>&, const Spins<3>&, double);
+template void ContactDynamics<2>::Implementation::measureOverlaps(StepReport&);
+template void ContactDynamics<3>::Implementation::measureOverlaps(StepReport&);
+
+}  // namespace nscd

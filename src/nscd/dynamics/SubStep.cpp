@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One sub-step of ContactDynamics: candidates, choice of contacts, sweeps, motion.
+
+#include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
+/// disturbs the force network; it must happen more slowly than the sweeps restore it.
+constexpr double cautiousShare = 0.1;
+
+template <int D>
+Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
+{
+    if constexpr (D == 2)
+    {
+        return radius * spin[0];
+    }
+    else
+    {
+        return radius * spin;
+    }
+}
+
+}  // namespace
+
+template <int D>
+void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
+{
+    Stopwatch watch;
+    updateCandidates(dt);
+    makeBodies(dt);
+    problem_.begin(impulses_, dt);
+    problem_.choose(bodies_, impulses_);
+    contactsOfOthers_.clear();
+    report.detectionTime += watch.restart();
+
+    schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
+    solves_ = 0;
+    const bool converged = solve(dt, report);
+    problem_.store(impulses_);
+    for (Impulse<D>& impulse : impulses_)
+    {
+        impulse.age = impulse.normal > 0 ? impulse.age + dt : 0;
+    }
+    lastSubStep_ = dt;
+    separate(dt, converged);
+    move(dt, report);
+    moveWalls(dt, report);
+
+    std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
+                               double(problem_.active()), double(solves_)};
+    communicator_.sum(counts);
+    report.candidates = static_cast<std::size_t>(counts[0]);
+    report.contacts = static_cast<std::size_t>(counts[1]);
+    report.active = static_cast<std::size_t>(counts[2]);
+    report.solves += static_cast<std::size_t>(counts[3]);
+    report.solutionTime += watch.seconds();
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::updateCandidates(double dt)
+{
+    double farthest = 0;
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        double way = (grains_.position[i] + dt * free_.velocity[i] - candidates_.positions()[i]).squaredNorm();
+        if (grains_.shape[i] >= 0)
+        {
+            const double turn = turnBetween(grains_.orientation[i], candidates_.orientations()[i]);
+            way = std::sqrt(way) + grains_.radius[i] * (turn + dt * free_.spin[i].norm());
+            way *= way;
+        }
+        farthest = std::max(farthest, way);
+    }
+    if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
+    {
+        const double way = dt * free_.largestSpeed;
+        const double skin = restSkin * meanRadius_ + std::max(4 * way, 2 * (way + dt * largestWallSpeed(dt)));
+        rebuildCandidates(grains_.position, grains_.orientation, skin,
+                          gatherImpulses(candidates_, impulses_, communicator_));
+        candidateWalls_ = wallBodies_;
+    }
+    else
+    {
+        arrangement_.move(grains_, members_, candidates_);
+    }
+    if (lastSubStep_ > 0 && dt != lastSubStep_)
+    {
+        for (Impulse<D>& impulse : impulses_)
+        {
+            impulse.normal *= dt / lastSubStep_;
+            impulse.tangential *= dt / lastSubStep_;
+            impulse.rolling *= dt / lastSubStep_;
+        }
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions,
+                                                           const Orientations<D>& orientations, double skin,
+                                                           const std::vector<NamedImpulse<D>>& impulses)
+{
+    candidates_ = Candidates<D>({members_, arrangement_.walls(), freeBodyOfWall_, freeBodies(), skin, settings_.blocks,
+                                 settings_.period},
+                                positions, orientations, communicator_);
+    schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
+    impulses_ = matchImpulses(candidates_, impulses);
+    arrangement_.arrange(grains_, members_, candidates_);
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::makeBodies(double dt)
+{
+    bodies_.resize(grains_.size());
+    data_.before.resize(bounces_ ? grains_.size() : 0);
+    data_.turning.resize(levered_ ? grains_.size() : 0);
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        const int k = candidates_.place()[i];
+        bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
+        if (bounces_)
+        {
+            data_.before[k] = {grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0};
+        }
+        if (levered_)
+        {
+            data_.turning[k] = turningOf(grains_, static_cast<int>(i));
+        }
+    }
+    for (const WallBody<D>& wall : wallBodies_)
+    {
+        if (isFree(wall))
+        {
+            const Turning<D> turning{1, inSpace(wall.orientation, Spin<D>(wall.inertia.cwiseInverse()))};
+            const Spin<D> spin = wall.spin + dt * turning.inverse * wall.torque;
+            bodies_.push_back(
+                {wall.velocity + dt / wall.mass * wall.force, surfaceSpeed<D>(spin, 1), 1 / wall.mass});
+            data_.before.push_back({wall.velocity, surfaceSpeed<D>(wall.spin, 1), 0});
+            data_.turning.push_back(turning);
+        }
+    }
+    bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
+{
+    displacements_.clear();
+    const double tolerance = settings_.tolerance / dt;
+    if (communicator_.max(problem_.measureOverlaps(bodies_, converged ? 1 : cautiousShare)) <= tolerance)
+    {
+        return;
+    }
+    displacements_ = bodies_;
+    for (Body<D>& body : displacements_)
+    {
+        body.velocity.setZero();
+    }
+    const int maxSweeps = std::max(1, settings_.maxSweeps / 4);
+    for (int sweeps = 0; sweeps < maxSweeps; ++sweeps)
+    {
+        double change = 0;
+        schedule_->pass(displacements_,
+                        [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
+        if (std::sqrt(communicator_.max(change)) <= tolerance)
+        {
+            break;
+        }
+    }
+    communicator_.share(displacements_, candidates_.rankBegin());
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::move(double dt, StepReport& report)
+{
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        const int k = candidates_.place()[i];
+        const Vector<D> impulse = grains_.mass[i] * (bodies_[k].velocity - free_.velocity[i]);
+        const Spin<D> spinChange =
+            toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free_.spin[i], grains_.radius[i]))) /
+            grains_.radius[i];
+        const Spin<D> spinImpulse = angularMomentum<D>(grains_, i, spinChange);
+        const Spin<D> spin = free_.spin[i] + spinChange;
+        report.contactWork += 0.5 * impulse.dot(free_.velocity[i] + bodies_[k].velocity) +
+                              0.5 * spinImpulse.dot(free_.spin[i] + spin);
+        contactImpulse_[i] += impulse;
+        contactSpinImpulse_[i] += spinImpulse;
+        grains_.velocity[i] = bodies_[k].velocity;
+        grains_.spin[i] = spin;
+        grains_.position[i] += dt * bodies_[k].velocity;
+        if (!displacements_.empty())
+        {
+            grains_.position[i] += dt * displacements_[k].velocity;
+        }
+        turn(grains_, i, dt);
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report)
+{
+    if (wallBodies_.empty())
+    {
+        return;
+    }
+    std::size_t k = grains_.size();
+    for (WallBody<D>& wall : wallBodies_)
+    {
+        Vector<D> displacement = Vector<D>::Zero();
+        if (isFree(wall))
+        {
+            const Vector<D>& velocity = bodies_[k].velocity;
+            const Spin<D> spin = toSpin(bodies_[k].surfaceSpeed);
+            const Vector<D> freeVelocity = wall.velocity + dt / wall.mass * wall.force;
+            const Spin<D> freeSpin = wall.spin + dt * (data_.turning[k].inverse * wall.torque);
+            report.contactWork +=
+                0.5 * wall.mass * (velocity - freeVelocity).dot(freeVelocity + velocity) +
+                0.5 * product(wall.orientation, wall.inertia, Spin<D>(spin - freeSpin), Spin<D>(freeSpin + spin));
+            wall.velocity = velocity;
+            wall.spin = spin;
+            displacement = displacements_.empty() ? Vector<D>::Zero() : displacements_[k].velocity;
+            ++k;
+        }
+        wall.position += dt * (wall.velocity + displacement);
+        wall.orientation = turned(wall.orientation, wall.spin, dt);
+    }
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::wallDisplacement(double dt) const
+{
+    double farthest = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        const WallBody<D>& wall = wallBodies_[b];
+        const double turn = turnBetween(wall.orientation, candidateWalls_[b].orientation) + dt * wall.spin.norm();
+        farthest = std::max(farthest, (wall.position + dt * wall.velocity - candidateWalls_[b].position).norm() +
+                                          turn * wallExtent_[b]);
+    }
+    return farthest;
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::largestWallSpeed(double dt) const
+{
+    double largest = 0;
+    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
+    {
+        const WallBody<D>& wall = wallBodies_[b];
+        const Vector<D> velocity = wall.velocity + dt / wall.mass * wall.force;
+        largest = std::max(largest, velocity.norm() + wall.spin.norm() * wallExtent_[b]);
+    }
+    return largest;
+}
+
+template class ContactDynamics<2>::Implementation;
+template class ContactDynamics<3>::Implementation;
+
+}  // namespace nscd

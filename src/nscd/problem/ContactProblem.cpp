@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sweeps over a chosen set of contacts.
+
+#include "nscd/problem/ContactProblem.hpp"
+
+namespace nscd
+{
+
+template <int D>
+void ContactProblem<D>::applyImpulses(int group, std::vector<Body<D>>& bodies) const
+{
+    for (std::size_t k = begin_[group].contact; k < begin_[group + 1].contact; ++k)
+    {
+        const Contact<D>& c = contacts_[k];
+        apply<D>(c, bodies[c.i], bodies[c.j], c.normalImpulse - origin_[k].attraction, c.slipImpulse);
+    }
+    for (std::size_t k = begin_[group].levered; k < begin_[group + 1].levered; ++k)
+    {
+        const LeveredContact<D>& c = levered_[k];
+        apply<D>(c, bodies[c.i], bodies[c.j], c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(),
+                 c.moment);
+    }
+}
+
+template <int D>
+Change ContactProblem<D>::sweep(int group, std::vector<Body<D>>& bodies)
+{
+    Change change;
+    Body<D>* body = bodies.data();
+    Contact<D>* end = contacts_.data() + begin_[group + 1].contact;
+    for (Contact<D>* contact = contacts_.data() + begin_[group].contact; contact != end; ++contact)
+    {
+        change.add(solve<D>(*contact, body));
+    }
+    for (std::size_t k = begin_[group].levered; k < begin_[group + 1].levered; ++k)
+    {
+        change.add(solve<D>(levered_[k], body));
+    }
+    return change;
+}
+
+template <int D>
+double ContactProblem<D>::residual(const std::vector<Body<D>>& bodies)
+{
+    double largest = 0;
+    for (const Contact<D>& contact : contacts_)
+    {
+        largest = std::max(largest, nscd::residual<D>(contact, bodies.data()));
+    }
+    for (const LeveredContact<D>& contact : levered_)
+    {
+        largest = std::max(largest, nscd::residual<D>(contact, bodies.data()));
+    }
+    return std::max(std::sqrt(largest), findMissing(bodies));
+}
+
+template <int D>
+double ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
+{
+    double worst = 0;
+    overlaps_.clear();
+    overlaps_.reserve(contacts());
+    const auto add = [&](const auto& c, const Vector<D>& normal, double gap)
+    {
+        const Body<D>& a = bodies[c.i];
+        const Body<D>& b = bodies[c.j];
+        const double velocity = normalVelocity(c, a, b) + gap / dt_;
+        worst = std::max(worst, -velocity);
+        overlaps_.push_back(
+            {normal, velocity < 0 ? share * velocity : velocity, 1 / (a.inverseMass + b.inverseMass), 0, c.i, c.j});
+    };
+    for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
+    {
+        for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
+        {
+            add(contacts_[k], contacts_[k].normal, origin_[k].gap);
+        }
+        for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
+        {
+            add(levered_[k], levered_[k].normal(), leveredOrigin_[k].gap);
+        }
+    }
+    return worst;
+}
+
+template <int D>
+double ContactProblem<D>::separate(int group, std::vector<Body<D>>& displacements)
+{
+    double largest = 0;
+    const std::size_t end = begin_[group + 1].contact + begin_[group + 1].levered;
+    for (std::size_t k = begin_[group].contact + begin_[group].levered; k < end; ++k)
+    {
+        largest = std::max(largest, nscd::separate<D>(overlaps_[k], displacements.data()));
+    }
+    return largest;
+}
+
+template <int D>
+void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
+{
+    for (Impulse<D>& impulse : impulses)
+    {
+        if (impulse.normal > 0)
+        {
+            impulse = {0, zeroTangent<D>(), zeroTangent<D>(), impulse.age};
+        }
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+    {
+        const Contact<D>& c = contacts_[k];
+        if (c.normalImpulse > 0)
+        {
+            Impulse<D>& impulse = impulses[origin_[k].pair];
+            impulse.normal = c.normalImpulse;
+            impulse.tangential = c.slipImpulse;
+        }
+    }
+    for (std::size_t k = 0; k < levered_.size(); ++k)
+    {
+        const LeveredContact<D>& c = levered_[k];
+        if (c.impulse[0] > 0)
+        {
+            Impulse<D>& impulse = impulses[leveredOrigin_[k].pair];
+            impulse.normal = c.impulse[0];
+            impulse.tangential = tangential(c);
+            impulse.rolling = c.moment;
+        }
+    }
+}
+
+template <int D>
+std::vector<ContactForce<D>> ContactProblem<D>::forces() const
+{
+    std::vector<ContactForce<D>> result;
+    const auto add = [&](const Origin& origin, const Vector<D>& normal, const Vector<D>& impulse, double pressing)
+    {
+        const Pair& pair = candidates_.pairs()[origin.pair];
+        const Vector<D> point = arrangement_.contactPoint(pair, {normal, origin.gap});
+        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, origin.gap, pressing / dt_});
+    };
+    for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
+    {
+        for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
+        {
+            const Contact<D>& c = contacts_[k];
+            if (c.normalImpulse > 0)
+            {
+                add(origin_[k], c.normal,
+                    impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
+            }
+        }
+        for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
+        {
+            const LeveredContact<D>& c = levered_[k];
+            if (c.impulse[0] > 0)
+            {
+                add(leveredOrigin_[k], c.normal(),
+                    c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
+            }
+        }
+    }
+    return result;
+}
+
+template <int D>
+std::size_t ContactProblem<D>::active() const
+{
+    return std::count_if(contacts_.begin(), contacts_.end(), [](const Contact<D>& c) { return c.normalImpulse > 0; }) +
+           std::count_if(levered_.begin(), levered_.end(), [](const LeveredContact<D>& c) { return c.impulse[0] > 0; });
+}
+
+template class ContactProblem<2>;
+template class ContactProblem<3>;
+
+}  // namespace nscd

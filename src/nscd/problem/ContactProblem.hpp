@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/contact/Arrangement.hpp"
+#include "nscd/contact/ContactForce.hpp"
+#include "nscd/contact/Impulses.hpp"
+#include "nscd/contact/LeveredContact.hpp"
+#include "nscd/contact/Schedule.hpp"
+
+namespace nscd
+{
+
+/// Where the bodies are, how they turn and what they did before the step; in solver order, free walls last.
+template <int D>
+struct BodyData
+{
+    std::vector<Turning<D>> turning;     ///< empty when no contact is levered
+    std::vector<Body<D>> before;         ///< at the beginning of the step; empty when nothing bounces
+    Vectors<D> wallCentre;               ///< of the free walls
+};
+
+/// What a pass over contacts did.
+struct Change
+{
+    double largest = 0;        ///< square of the largest W times change of an impulse [m^2/s^2]
+    double sum = 0;            ///< of these squares
+    std::size_t solves = 0;
+
+    void add(double square)
+    {
+        largest = std::max(largest, square);
+        sum += square;
+        ++solves;
+    }
+};
+
+/// A contact as other solvers want it; arms are over the bodies' lengths.
+template <int D>
+struct SolvedContact
+{
+    int first, second;        ///< bodies; second < 0: a wall that is not free
+    Vector<D> normal, armI, armJ;
+    double approachLimit, friction;
+    Vector<D> impulse;        ///< in the frame [N s]
+    Vector<D> wallVelocity;   ///< [m/s]
+};
+
+/// This rank's share of the contact problem of one sub-step of length dt.
+/// Bodies are in solver order; then comes one that stands for the fixed walls and, as contacts need them, one for the
+/// point of contact of each moving wall.
+template <int D>
+class ContactProblem
+{
+public:
+    ContactProblem(const Arrangement<D>& arrangement, const Candidates<D>& candidates,
+                   const std::vector<WallBody<D>>& wallBodies, const BodyData<D>& data)
+        : arrangement_(arrangement), candidates_(candidates), wallBodies_(wallBodies), data_(data)
+    {
+    }
+
+    /// Be without contacts: the list of candidates is another one.
+    void clear();
+
+    /// Start a sub-step with the impulses of the last one, scaled to dt.
+    void begin(const std::vector<Impulse<D>>& impulses, double dt);
+
+    /// Select the candidates that would touch, or nearly so, at the bodies' present velocities and those that
+    /// residual() has found missing, keeping all chosen before; take over their impulses without applying them.
+    void choose(std::vector<Body<D>>& bodies, const std::vector<Impulse<D>>& impulses);
+
+    /// Give the bodies the impulses of a group's contacts, and the attraction of those that cohere.
+    void applyImpulses(int group, std::vector<Body<D>>& bodies) const;
+
+    /// Solve a group's contacts one after the other.
+    Change sweep(int group, std::vector<Body<D>>& bodies);
+
+    /// Solve those contacts of a group that are off by more than the tolerance [m/s], and again those whose bodies have
+    /// changed by more than it since (Henry 2025, algorithm 2 with its queue, but what has changed is accumulated).
+    Change workQueue(int group, std::vector<Body<D>>& bodies, double tolerance);
+
+    /// Go on in the direction of the last change: impulses += factor * (impulses - those of the last call), and the
+    /// bodies [begin, end) likewise.
+    void extrapolate(double factor, std::vector<Body<D>>& bodies, std::size_t begin, std::size_t end);
+
+    /// Remember the present impulses and velocities for extrapolate().
+    void remember(const std::vector<Body<D>>& bodies);
+
+    /// Largest natural-map residual [m/s] over all candidates, chosen or not; marks those missed.
+    double residual(const std::vector<Body<D>>& bodies);
+
+    /// Did the last residual() find candidates that should have been chosen?
+    bool incomplete() const { return incomplete_; }
+
+    /// Find what would overlap at the end of the step if the bodies moved with their present velocities; returns the
+    /// worst as a velocity, overlap/dt [m/s].  The sweeps of separate() will remove the given share of it.
+    double measureOverlaps(const std::vector<Body<D>>& bodies, double share);
+
+    /// One sweep over a group that pushes overlapping bodies apart: displacements/dt stand in the bodies' velocity.
+    /// Returns the square of the largest change [m^2/s^2].
+    double separate(int group, std::vector<Body<D>>& displacements);
+
+    /// Write the impulses back; zero for candidates that were not chosen.  Ages stay as they are.
+    void store(std::vector<Impulse<D>>& impulses) const;
+
+    /// Contacts with an impulse and the forces in them, with the numbers of the places of solver order.
+    std::vector<ContactForce<D>> forces() const;
+
+    /// This rank's contacts; the velocities are those of the bodies that walls stand for.
+    std::vector<SolvedContact<D>> solvedContacts(const std::vector<Body<D>>& bodies) const;
+
+    std::size_t contacts() const { return contacts_.size() + levered_.size(); }
+    std::size_t active() const;
+
+private:
+    /// Contacts of a group: [contact, ...) of the plain ones, [levered, ...) of the others.
+    struct Begin
+    {
+        std::size_t contact, levered;
+    };
+
+    /// What the sweeps do not need of a contact.
+    struct Origin
+    {
+        std::size_t pair;
+        double gap;            ///< not less than what one step may remove [m]
+        double attraction;     ///< impulse [N s]
+    };
+
+    /// Place of a pair's second body; makes one for the point of contact of a moving wall.
+    int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;
+
+    /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities.
+    bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const;
+
+    bool isLevered(const Pair& pair) const;
+    void addLevered(const Pair& pair, const Approach<D>& approach, const Impulse<D>& impulse, int j,
+                    const std::vector<Body<D>>& bodies);
+
+    /// Velocity along the normal with which a candidate opens [m/s].
+    double openingVelocity(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
+    Vector<D> wallVelocity(int wallBody, const Vector<D>& arm) const;
+
+    template <class C>
+    double approachLimit(std::size_t p, double gap, const C& contact, const std::vector<Body<D>>& bodies) const;
+
+    double attraction(std::size_t p, double gap, const Impulse<D>& impulse) const;
+
+    /// Largest penetration velocity [m/s] of candidates that were not chosen; marks them.
+    double findMissing(const std::vector<Body<D>>& bodies);
+
+    /// Contacts by body: those of body b are touching_[touchingBegin_[b] ... touchingBegin_[b + 1]), levered ones
+    /// counted on from the plain ones.
+    void listTouching(std::size_t bodies);
+
+    template <class F>
+    void forTouching(int group, int body, F&& f) const;
+
+    const Arrangement<D>& arrangement_;
+    const Candidates<D>& candidates_;
+    const std::vector<WallBody<D>>& wallBodies_;
+    const BodyData<D>& data_;
+    double dt_ = 0;
+    std::vector<char> kept_;              ///< candidates that are in the problem, or must be
+    std::vector<char> loaded_;            ///< candidates with an impulse in the last sub-step
+    bool incomplete_ = false;
+    std::vector<Contact<D>> contacts_;
+    std::vector<LeveredContact<D>> levered_;
+    std::vector<Origin> origin_, leveredOrigin_;
+    std::vector<Overlap<D>> overlaps_;    ///< of each contact, the levered ones of a group after the others
+    std::vector<Begin> begin_;            ///< of each group, and the end
+
+    std::vector<int> touching_, touchingBegin_, queue_;
+    std::vector<double> pending_;         ///< change of a contact's bodies since it was solved [m/s]; < 0 in the queue
+
+    std::vector<Contact<D>> oldContacts_;
+    std::vector<LeveredContact<D>> oldLevered_;
+    std::vector<Body<D>> oldBodies_;
+};
+
+}  // namespace nscd

@@ -22,6 +22,7 @@ Description
 #include "pisoControl.H"
 
 #include "adjustableTimeStep.H"
+#include "carriedFields.H"
 #include "dictionaryInput.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"
@@ -55,6 +56,7 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
+        carried.startStep();
         exchange.inject(fields.U);
         timeStep.set(fields.phiU);
         ++runTime;
@@ -73,6 +75,11 @@ int main(int argc, char *argv[])
 
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.phiU);
+
+        if (carried.isActive())
+        {
+            carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
+        }
 
         ledger.endStep(fields.phi, fields.phiU);
         grains.checkLost();

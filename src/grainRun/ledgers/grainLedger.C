@@ -11,11 +11,13 @@
 Foam::grainLedger::grainLedger
 (
     const grainSystem& grains,
-    const grainFluidExchange& exchange
+    const grainFluidExchange& exchange,
+    const carriedFields& carried
 )
 :
     grains_(grains),
     exchange_(exchange),
+    carried_(carried),
     mesh_(grains.mesh()),
     progress_(mesh_.time()),
     meanCourant_(0),

@@ -23,6 +23,15 @@ void Foam::grainLedger::print() const
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
+    if (carried_.isActive())
+    {
+        const transportFlux& flux = carried_.flux();
+        Info<< "Carried   defect " << flux.defect() << " of a cell, correction "
+            << flux.correction() << " of the fluid, without room "
+            << flux.volumeWithoutRoom() << " m^3, scalars unaccounted "
+            << carried_.unaccounted() << nl;
+    }
+
     const grainTally& injected = grains_.motion().injected();
     if (injected.number)
     {
@@ -67,7 +76,8 @@ void Foam::grainLedger::write()
             "injectedMomentum_y,injectedMomentum_z,removed,removedVolume,"
             "removedMomentum_x,removedMomentum_y,removedMomentum_z,"
             "outside_x,outside_y,outside_z,"
-            "grainMomentumError,motionTime,exchangeTime,elapsedTime"
+            "grainMomentumError,transportDefect,transportCorrection,"
+            "volumeWithoutRoom,carriedUnaccounted,motionTime,exchangeTime,elapsedTime"
         );
     }
 
@@ -91,7 +101,19 @@ void Foam::grainLedger::write()
         << c << grains_.size() << c << injected.number << c << injected.volume
         << c << i.x() << c << i.y() << c << i.z() << c << removed.number << c << removed.volume
         << c << m.x() << c << m.y() << c << m.z()
-        << c << o.x() << c << o.y() << c << o.z() << c << grainMomentumError_
+        << c << o.x() << c << o.y() << c << o.z() << c << grainMomentumError_;
+    if (carried_.isActive())
+    {
+        const transportFlux& flux = carried_.flux();
+        file_()
+            << c << flux.defect() << c << flux.correction()
+            << c << flux.volumeWithoutRoom() << c << carried_.unaccounted();
+    }
+    else
+    {
+        file_() << ",0,0,0,0";
+    }
+    file_()
         << c << grains_.motionTime() << c << exchange_.exchangeTime()
         << c << progress_.elapsed() << endl;
 }

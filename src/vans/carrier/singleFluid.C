@@ -58,7 +58,7 @@ Foam::singleFluid::singleFluid
     (
         properties_.getOrDefault<word>("transportModel", Newtonian)
     );
-    wordList allowed({"rho", "transportModel", "HeleShaw", model + "Coeffs"});
+    wordList allowed({"rho", "transportModel", "HeleShaw", "scalars", model + "Coeffs"});
     if (model == Newtonian)
     {
         allowed.append("nu");

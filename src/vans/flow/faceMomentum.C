@@ -28,7 +28,7 @@ tmp<volScalarField> leastA
 
 
 //- Flux of a face less that of its cells, at the beginning of the step, per time
-tmp<surfaceScalarField> correction
+tmp<surfaceScalarField> changeOfOldFlux
 (
     const volScalarField& A,
     const stepCoefficients& step,
@@ -72,7 +72,7 @@ Foam::faceMomentum::faceMomentum
     (
         "inertiaFlux",
         fvc::interpolate(rho*sqr(step.eps)*step.alpha/A)
-       *correction(A, step, resolved, UEqn.psi(), rho, phiU)
+       *changeOfOldFlux(A, step, resolved, UEqn.psi(), rho, phiU)
     ),
     rAUf("rAUf", rAf/drag),
     mobility("mobility", rAUf),

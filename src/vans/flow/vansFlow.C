@@ -9,6 +9,7 @@
 
 #include "dictionaryInput.H"
 #include "findRefCell.H"
+#include "fvc.H"
 #include "OSspecific.H"
 #include "timeScheme.H"
 #include "uniformDimensionedFields.H"
@@ -103,6 +104,23 @@ void Foam::vansFlow::startStep()
         )
     );
     setMomentumEquation();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
+(
+    const volScalarField& eps
+) const
+{
+    tmp<surfaceScalarField> flux
+    (
+        fvc::interpolate(eps/step_->alpha)*fields_.phiAlpha
+    );
+    if (mesh_.moving())
+    {
+        flux.ref() -= fvc::interpolate(eps)*mesh_.phi();
+    }
+    return flux;
 }
 
 

@@ -1,0 +1,95 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "carriedFields.H"
+
+#include "dictionaryInput.H"
+#include "vansTurbulence.H"
+
+Foam::carriedFields::carriedFields
+(
+    const vansFields& fields,
+    const volScalarField& eps,
+    singleFluid& fluid
+)
+{
+    const fvMesh& mesh = eps.mesh();
+    if (fluid.properties().found("scalars"))
+    {
+        const dictionary& dict =
+            dictionaryInput::subDict(fluid.properties(), "scalars");
+        for (const word& name : dict.toc())
+        {
+            scalars_.append
+            (
+                new fluidScalar
+                (
+                    mesh, name, dictionaryInput::subDict(dict, name)
+                )
+            );
+        }
+    }
+    const bool isTurbulent = vansTurbulence::isSelected(mesh);
+    if (isTurbulent || scalars_.size())
+    {
+        flux_.reset(new transportFlux(eps, fields.p_rgh));
+    }
+    if (isTurbulent)
+    {
+        turbulence_.reset(new vansTurbulence(fields, *flux_, fluid));
+    }
+}
+
+
+Foam::carriedFields::~carriedFields() = default;
+
+
+void Foam::carriedFields::startStep()
+{
+    if (isActive())
+    {
+        flux_->startStep();
+    }
+}
+
+
+void Foam::carriedFields::carry
+(
+    const surfaceScalarField& share,
+    const scalarField& filled
+)
+{
+    const fvMesh& mesh = share.mesh();
+    flux_->set
+    (
+        share,
+        filled.size()
+      ? scalarField(filled/mesh.time().deltaTValue())
+      : scalarField(mesh.nCells(), Zero)
+    );
+    for (fluidScalar& one : scalars_)
+    {
+        one.carry(*flux_);
+    }
+    if (turbulence_)
+    {
+        turbulence_->correct(*flux_);
+    }
+}
+
+
+Foam::scalar Foam::carriedFields::unaccounted() const
+{
+    scalar worst = 0;
+    for (const fluidScalar& one : scalars_)
+    {
+        worst = max
+        (
+            worst,
+            mag(one.unaccounted())/max(one.magnitude(*flux_), VSMALL)
+        );
+    }
+    return worst;
+}

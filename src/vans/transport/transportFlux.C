@@ -1,0 +1,199 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "transportFlux.H"
+
+#include "fvc.H"
+#include "fvm.H"
+#include "gaussLaplacianScheme.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Zero where the pressure is given, no correction elsewhere
+wordList patchTypes(const volScalarField& p)
+{
+    wordList result
+    (
+        p.boundaryField().size(), zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(p.boundaryField(), patchi)
+    {
+        if (p.boundaryField()[patchi].fixesValue())
+        {
+            result[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    return result;
+}
+
+
+//- Conjugate gradients, whose cost grows little with the mesh
+dictionary solverControls(const scalar tolerance)
+{
+    dictionary multigrid;
+    multigrid.add("preconditioner", "GAMG");
+    multigrid.add("smoother", "DICGaussSeidel");
+    multigrid.add("tolerance", 0);
+    multigrid.add("relTol", 0);
+    multigrid.add("nVcycles", 1);
+    multigrid.add("cacheAgglomeration", true);
+
+    dictionary result;
+    result.add("solver", "PCG");
+    result.add("preconditioner", multigrid);
+    result.add("tolerance", tolerance);
+    result.add("relTol", 0);
+    result.add("maxIter", 200);
+    return result;
+}
+
+}
+
+
+Foam::transportFlux::transportFlux
+(
+    const volScalarField& eps,
+    const volScalarField& p_rgh
+)
+:
+    mesh_(eps.mesh()),
+    eps_(eps),
+    fraction_("fluidFraction", eps + least),
+    oldVolume_(volume()),
+    X_
+    (
+        IOobject
+        (
+            "transportPotential",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar(dimViscosity, Zero),
+        patchTypes(p_rgh)
+    ),
+    F_
+    (
+        IOobject("phiFluid", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
+    defect_(0),
+    correction_(0),
+    withoutRoom_(0)
+{
+    mesh_.setFluxRequired(X_.name());
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::transportFlux::openPart() const
+{
+    volScalarField mean("openPart", fraction_);
+    mean.primitiveFieldRef() = 0.5*(volume() + oldVolume_)/mesh_.V().field();
+    mean.correctBoundaryConditions();
+
+    const surfaceScalarField isOpen
+    (
+        "isOpen",
+        pos(fvc::interpolate(pos(mean - 2*least)) - (1 - SMALL))
+    );
+    return isOpen*fvc::interpolate(mean) + least;
+}
+
+
+Foam::scalarField Foam::transportFlux::lack
+(
+    const surfaceScalarField& flux,
+    const scalarField& source
+)
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalarField room(volume());
+    scalarField result
+    (
+        fvc::surfaceIntegrate(flux)().primitiveField()*mesh_.V().field()
+      + (room - oldVolume_)/deltaT
+      - source*mesh_.V().field()
+    );
+
+    source_ = source;
+    withoutRoom_ = 0;
+    if (X_.needReference())
+    {
+        const scalar excess = gSum(result);
+        const scalarField spread(excess/gSum(room)*room);
+        result -= spread;
+        source_ += spread/mesh_.V().field();
+        withoutRoom_ = -excess*deltaT;
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::transportFlux::defectOf(const scalarField& lack) const
+{
+    return
+        gMax(mag(lack)/mesh_.V().field())*mesh_.time().deltaTValue();
+}
+
+
+void Foam::transportFlux::set
+(
+    const surfaceScalarField& share,
+    const scalarField& source
+)
+{
+    // Of the volume of a cell
+    constexpr scalar tolerance = 1e-12;
+
+    fraction_.oldTime();
+    fraction_ == eps_ + least;
+
+    const surfaceScalarField open("open", openPart()*mesh_.magSf());
+    F_ = share;
+    scalarField missing(lack(F_, source));
+
+    // Corrections of the correction take away what the linear solver left
+    scalarField X(X_.primitiveField());
+    defect_ = defectOf(missing);
+    for (label i = 0; i < 4 && defect_ > tolerance; ++i)
+    {
+        tmp<fvScalarMatrix> tXEqn
+        (
+            fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+            (
+                open, mesh_.nonOrthDeltaCoeffs(), X_
+            )
+        );
+        fvScalarMatrix& XEqn = tXEqn.ref();
+        XEqn.source() += missing;
+        XEqn.solve(solverControls(i == 0 ? 1e-10 : 1e-6));
+        F_ -= XEqn.flux();
+        if (i == 0)
+        {
+            X = X_.primitiveField();
+        }
+        missing = lack(F_, source);
+        defect_ = defectOf(missing);
+        X_.primitiveFieldRef() = 0;
+        X_.correctBoundaryConditions();
+    }
+    X_.primitiveFieldRef() = X;
+    X_.correctBoundaryConditions();
+
+    correction_ =
+        0.5*mesh_.time().deltaTValue()
+       *gSum
+        (
+            fvc::surfaceSum(mag(F_ - share))().primitiveField()
+        )
+       /gSum(volume());
+}

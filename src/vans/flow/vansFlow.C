@@ -19,7 +19,7 @@ namespace
 
 using namespace Foam;
 
-dimensionedScalar ghRef(const fvMesh& mesh, const uniformDimensionedVectorField& g)
+dimensionedScalar ghRef(const fvMesh& mesh, const dimensionedVector& g)
 {
     const uniformDimensionedScalarField hRef
     (
@@ -49,6 +49,7 @@ Foam::vansFlow::vansFlow
     const effectiveViscosity& viscosity,
     const exchangeFields& grains,
     resolvedTerm& resolved,
+    const dimensionedVector& g,
     const dictionary& control
 )
 :
@@ -59,12 +60,7 @@ Foam::vansFlow::vansFlow
     grains_(grains),
     resolved_(resolved),
     options_(fv::options::New(mesh_)),
-    gh_
-    (
-        "gh",
-        (mesh_.lookupObject<uniformDimensionedVectorField>("g") & mesh_.C())
-      - ghRef(mesh_, mesh_.lookupObject<uniformDimensionedVectorField>("g"))
-    ),
+    gh_("gh", (g & mesh_.C()) - ghRef(mesh_, g)),
     p_
     (
         IOobject

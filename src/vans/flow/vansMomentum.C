@@ -61,7 +61,7 @@ void Foam::vansFlow::setMomentumEquation()
         const dimensionedScalar one("one", dimless, 1);
         UEqn -= fvm::Sp(rho*step.eps*fvc::ddt(one, mesh_), U);
     }
-    if (options_.size())
+    if (options_.PtrList<fv::option>::size())
     {
         UEqn -= options_(rho, U);
     }

@@ -7,6 +7,7 @@
 
 #include "fvc.H"
 #include "fvm.H"
+#include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
 #include "zeroGradientFvPatchFields.H"
 

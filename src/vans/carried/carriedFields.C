@@ -6,6 +6,7 @@
 #include "carriedFields.H"
 
 #include "dictionaryInput.H"
+#include "surfaceInterpolate.H"
 #include "vansTurbulence.H"
 
 Foam::carriedFields::carriedFields
@@ -34,7 +35,10 @@ Foam::carriedFields::carriedFields
     const bool isTurbulent = vansTurbulence::isSelected(mesh);
     if (isTurbulent || scalars_.size())
     {
-        flux_.reset(new transportFlux(eps, fields.p_rgh));
+        flux_.reset(new transportFlux
+            (
+                eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh
+            ));
     }
     if (isTurbulent)
     {

@@ -69,7 +69,11 @@ Foam::scalar Foam::fluidScalar::magnitude(const transportFlux& flux) const
 }
 
 
-void Foam::fluidScalar::carry(const transportFlux& flux)
+void Foam::fluidScalar::carry
+(
+    const transportFlux& flux,
+    const scalarField& given
+)
 {
     const fvMesh& mesh = T_.mesh();
     const scalar deltaT = mesh.time().deltaTValue();
@@ -91,7 +95,11 @@ void Foam::fluidScalar::carry(const transportFlux& flux)
     const scalarField atBeginning((1 - endShare_)*leaving());
     const scalarField& oldVolume = flux.oldVolume();
     const scalarField source(flux.source()*mesh.V().field());
-    const scalarField gained((1 - endShare_)*source*T_.primitiveField());
+    scalarField gained((1 - endShare_)*source*T_.primitiveField());
+    if (given.size())
+    {
+        gained += given*mesh.V().field();
+    }
 
     fvScalarMatrix TEqn(dimensionedScalar("endShare", dimless, endShare_)*transport);
     TEqn.diag() += flux.volume()/deltaT - endShare_*source;

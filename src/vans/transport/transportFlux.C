@@ -9,6 +9,7 @@
 #include "fvm.H"
 #include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
+#include "timeScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -34,23 +35,13 @@ wordList patchTypes(const volScalarField& p)
 }
 
 
-//- Conjugate gradients, whose cost grows little with the mesh
 dictionary solverControls(const scalar tolerance)
 {
-    dictionary multigrid;
-    multigrid.add("preconditioner", "GAMG");
-    multigrid.add("smoother", "DICGaussSeidel");
-    multigrid.add("tolerance", 0);
-    multigrid.add("relTol", 0);
-    multigrid.add("nVcycles", 1);
-    multigrid.add("cacheAgglomeration", true);
-
     dictionary result;
     result.add("solver", "PCG");
-    result.add("preconditioner", multigrid);
+    result.add("preconditioner", "DIC");
     result.add("tolerance", tolerance);
     result.add("relTol", 0);
-    result.add("maxIter", 200);
     return result;
 }
 
@@ -60,6 +51,7 @@ dictionary solverControls(const scalar tolerance)
 Foam::transportFlux::transportFlux
 (
     const volScalarField& eps,
+    const surfaceScalarField& share,
     const volScalarField& p_rgh
 )
 :
@@ -92,6 +84,24 @@ Foam::transportFlux::transportFlux
     withoutRoom_(0)
 {
     mesh_.setFluxRequired(X_.name());
+    if (isSecondOrderInTime(mesh_))
+    {
+        lastShare_.reset
+        (
+            new surfaceScalarField
+            (
+                IOobject
+                (
+                    "phiShare",
+                    mesh_.time().timeName(),
+                    mesh_,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                share
+            )
+        );
+    }
 }
 
 
@@ -160,6 +170,12 @@ void Foam::transportFlux::set
 
     const surfaceScalarField open("open", openPart()*mesh_.magSf());
     F_ = share;
+    if (lastShare_)
+    {
+        F_ = 0.5*(share + *lastShare_);
+        *lastShare_ == share;
+    }
+    const surfaceScalarField predicted("predicted", F_);
     scalarField missing(lack(F_, source));
 
     // Corrections of the correction take away what the linear solver left
@@ -194,7 +210,7 @@ void Foam::transportFlux::set
         0.5*mesh_.time().deltaTValue()
        *gSum
         (
-            fvc::surfaceSum(mag(F_ - share))().primitiveField()
+            fvc::surfaceSum(mag(F_ - predicted))().primitiveField()
         )
        /gSum(volume());
 }

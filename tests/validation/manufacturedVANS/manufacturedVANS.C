@@ -6,9 +6,10 @@ Application
     manufacturedVANS
 
 Description
-    The momentum and pressure equations of grainFoam with grains whose share
-    of the volume, drag and flux are prescribed such that the solution is
-    known (exactSolution.H).  Prints the relative errors of U and p.
+    The momentum and pressure equations of grainFoam, and a scalar that the
+    fluid carries, with grains whose share of the volume, drag and flux are
+    prescribed such that the solution is known (exactSolution.H).  Prints the
+    relative errors of U, p and T.
 
     The speed of the wave of the fluid fraction is 'waveSpeed' in
     system/controlDict, the form of the equations 'form', A or B.
@@ -16,12 +17,12 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "pisoControl.H"
 
-#include "effectiveViscosity.H"
-#include "exactSolution.H"
-#include "prescribedGrains.H"
-#include "timeScheme.H"
+#include "fluidScalar.H"
+#include "noResolvedTerm.H"
+#include "prescribedExchange.H"
+#include "prescribedFluid.H"
+#include "vansFlow.H"
 
 //- Root mean square over the volume
 template<class Type>
@@ -31,85 +32,110 @@ static scalar rms(const fvMesh& mesh, const Field<Type>& values)
 }
 
 
+//- Write a field of the start, as a case has them
+template<class Type>
+static void writeInitial
+(
+    const fvMesh& mesh,
+    const prescribedExchange& exchange,
+    const word& name,
+    const dimensionSet& dims,
+    Type (exactSolution::*value)(const vector&, const scalar) const
+)
+{
+    GeometricField<Type, fvPatchField, volMesh> field
+    (
+        IOobject(name, mesh.time().timeName(), mesh),
+        mesh,
+        dimensioned<Type>(dims, Zero)
+    );
+    exchange.set(field, 0, value);
+    field.write();
+}
+
+
 int main(int argc, char *argv[])
 {
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createMesh.H"
 
-    pisoControl piso(mesh);
+    const scalar rho = 2, mu = 0.1, wallDrag = 3;
+    const exactSolution exact
+    (
+        rho, mu, wallDrag,
+        runTime.controlDict().get<scalar>("waveSpeed"),
+        runTime.controlDict().get<word>("form") == "A"
+    );
+    prescribedExchange exchange(mesh, exact);
+    exchange.set(0);
+    writeInitial(mesh, exchange, "U", dimVelocity, &exactSolution::u);
+    writeInitial(mesh, exchange, "p_rgh", dimPressure, &exactSolution::p);
+    writeInitial(mesh, exchange, "T", dimless, &exactSolution::T);
 
-    const dimensionedScalar rho("rho", dimDensity, 2);
-    const dimensionedScalar mu("mu", dimPressure*dimTime, 0.1);
-    const dimensionedScalar wallDrag("wallDrag", dimDensity/dimTime, 3);
+    pisoControl piso(mesh);
+    const prescribedFluid fluid(mesh, rho, mu, wallDrag);
     const autoPtr<effectiveViscosity> viscosity
     (
         effectiveViscosity::New(dictionary())
     );
-    const exactSolution exact
-    (
-        rho.value(), mu.value(), wallDrag.value(),
-        runTime.controlDict().get<scalar>("waveSpeed"),
-        runTime.controlDict().get<word>("form") == "A"
-    );
-    prescribedGrains exchange(mesh, exact);
-    prescribedGrains& grains = exchange;
-    prescribedGrains& ledger = exchange;
+    noResolvedTerm resolved(mesh);
 
-    volVectorField U
+    vansFields fields(mesh);
+    const volScalarField& eps = exchange.fields.fluidShare;
+    fields.phiAlpha = fvc::flux((eps + exchange.fields.kappa)*fields.U);
+    fields.phi = fields.phiAlpha + fvc::flux(exchange.fields.G);
+    vansFlow flow
     (
-        IOobject("U", runTime.timeName(), mesh),
-        mesh,
-        dimensionedVector(dimVelocity, Zero)
+        fields, fluid, viscosity(), exchange.fields, resolved,
+        dimensionedVector("g", dimAcceleration, Zero), piso.dict()
     );
-    volScalarField p_rgh
-    (
-        IOobject("p_rgh", runTime.timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimPressure, Zero)
-    );
-    exchange.set(0);
-    exchange.set(U, 0, &exactSolution::u);
-    exchange.set(p_rgh, 0, &exactSolution::p);
 
-    surfaceScalarField phiU("phiU", fvc::flux(U));
-    surfaceScalarField phiAlpha
-    (
-        "phiAlpha", fvc::flux((exchange.fluidShare() + exchange.kappa())*U)
-    );
-    surfaceScalarField phi("phi", phiAlpha + fvc::flux(exchange.G()));
-
-    const volScalarField gh("gh", 0*p_rgh/rho);
-    volScalarField p("p", p_rgh);
-    label pRefCell = 0;
-    scalar pRefValue = 0;
-    mesh.setFluxRequired(p_rgh.name());
+    transportFlux flux(eps, fvc::flux(eps*fields.U), fields.p_rgh);
+    dictionary diffusion;
+    diffusion.add("D", exactSolution::D);
+    fluidScalar T(mesh, "T", diffusion);
 
     while (runTime.loop())
     {
+        flux.startStep();
         exchange.set(runTime.value());
 
-        #include "UEqn.H"
-
-        volVectorField gradP("gradP", pressureForce/share);
-
+        flow.startStep();
+        flow.predict(piso.momentumPredictor());
         while (piso.correct())
         {
-            #include "pEqn.H"
+            flow.correct(piso);
         }
+
+        flux.set(flow.fluidFlux(eps), scalarField(mesh.nCells(), Zero));
+        scalarField source(mesh.nCells());
+        forAll(source, celli)
+        {
+            source[celli] = exact.sourceOfT
+            (
+                mesh.C()[celli], runTime.value() - 0.5*runTime.deltaTValue()
+            );
+        }
+        T.carry(flux, source);
     }
 
-    volVectorField exactU(U);
-    volScalarField exactP(p);
+    volVectorField exactU("exactU", fields.U);
+    volScalarField exactP("exactP", fields.p_rgh);
+    volScalarField exactT("exactT", T.field());
     exchange.set(exactU, runTime.value(), &exactSolution::u);
     exchange.set(exactP, runTime.value(), &exactSolution::p);
-    scalarField difference(p.primitiveField() - exactP.primitiveField());
+    exchange.set(exactT, runTime.value(), &exactSolution::T);
+    scalarField difference(fields.p_rgh.primitiveField() - exactP.primitiveField());
     difference -= gSum(difference*mesh.V().field())/gSum(mesh.V().field());
 
     Info<< "Error of U "
-        << rms(mesh, vectorField(U - exactU))/rms(mesh, exactU.primitiveField())
+        << rms(mesh, vectorField(fields.U - exactU))/rms(mesh, exactU.primitiveField())
         << ", of p "
-        << rms(mesh, difference)/rms(mesh, exactP.primitiveField()) << nl
+        << rms(mesh, difference)/rms(mesh, exactP.primitiveField())
+        << ", of T "
+        << rms(mesh, scalarField(T.field() - exactT))/rms(mesh, exactT.primitiveField())
+        << ", defect of the flux " << flux.defect() << nl
         << "End" << endl;
 
     return 0;

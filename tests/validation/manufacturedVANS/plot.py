@@ -18,10 +18,10 @@ VARIANTS = {
 
 
 def errors(variant):
-    """Relative errors of U and p, (meshes, 2)."""
+    """Relative errors of U, p and T, (meshes, 3)."""
     logs = (Path(f"{variant}_{n}/log.manufacturedVANS").read_text() for n in CELLS)
     return np.array(
-        [re.search(r"Error of U (\S+), of p (\S+)", log).groups() for log in logs], dtype=float
+        [re.search(r"Error of U (\S+), of p (\S+), of T (\S+),", log).groups() for log in logs], dtype=float
     )
 
 
@@ -36,6 +36,9 @@ def main():
         results.add(f"{title}: order of u", order[:, 0].min(), "-", 1.8, ">=", "second order")
         results.add(f"{title}: error of p, {CELLS[-1]} cells", error[-1, 1])
         results.add(f"{title}: order of p", order[:, 1].min())
+        results.add(f"{title}: error of T, {CELLS[-1]} cells", error[-1, 2])
+        results.add(f"{title}: order of T", order[-1, 2], "-", 1.9, ">=", "second order")
+        ax.loglog(h, error[:, 2], "^-.", label=f"{title}, T")
         ax.loglog(h, error[:, 0], "o-", label=f"{title}, u")
         ax.loglog(h, error[:, 1], "s--", label=f"{title}, p")
     ax.loglog(h, 0.001 * (h / h[-1]) ** 2, "k:", label="second order")

@@ -58,25 +58,35 @@ Foam::singleFluid::singleFluid
     (
         properties_.getOrDefault<word>("transportModel", Newtonian)
     );
+    if (model == Newtonian)
+    {
+        nu();
+    }
     wordList allowed({"rho", "transportModel", "HeleShaw", "scalars", model + "Coeffs"});
     if (model == Newtonian)
     {
         allowed.append("nu");
     }
     dictionaryInput::checkKeywords(properties_, allowed);
-
     if (properties_.found("transportModel"))
     {
-        if (model == Newtonian)
-        {
-            dictionaryInput::getPositive
-            (
-                properties_.optionalSubDict(Newtonian + "Coeffs"), "nu", dimViscosity
-            );
-        }
         model_.reset(new singlePhaseTransportModel(U, phiU));
     }
     setMu();
+}
+
+
+Foam::dimensionedScalar Foam::singleFluid::nu() const
+{
+    return dimensionedScalar
+    (
+        "nu",
+        dimViscosity,
+        dictionaryInput::getPositive
+        (
+            properties_.optionalSubDict(Newtonian + "Coeffs"), "nu", dimViscosity
+        )
+    );
 }
 
 
@@ -88,14 +98,7 @@ void Foam::singleFluid::setMu()
     }
     else
     {
-        mu_ ==
-            rho_
-           *dimensionedScalar
-            (
-                "nu",
-                dimViscosity,
-                dictionaryInput::getPositive(properties_, "nu", dimViscosity)
-            );
+        mu_ == rho_*nu();
     }
 }
 

@@ -118,17 +118,17 @@ TEST(EffectiveViscosity, RefusesWhatItDoesNotKnow)
 }
 
 
-TEST(HeleShawDrag, IsThatOfAParabolaBetweenThePlates)
+TEST(HeleShawPlates, GiveTheDragOfAParabolaBetweenThem)
 {
     // 12 by 2e-5 by 0.015^-2
-    EXPECT_NEAR(HeleShawDrag(foamTest::dict("HeleShaw { gap 0.015; }"), 2e-5), 1.0667, 1e-4);
-    EXPECT_EQ(HeleShawDrag(dictionary(), 1), 0);
+    EXPECT_NEAR(2e-5*HeleShawPlates(foamTest::dict("HeleShaw { gap 0.015; }")), 1.0667, 1e-4);
+    EXPECT_EQ(HeleShawPlates(dictionary()), 0);
 }
 
 
-TEST(HeleShawDrag, RefusesGapsThatAreNone)
+TEST(HeleShawPlates, RefuseGapsThatAreNone)
 {
-    EXPECT_FOAM_ERROR(HeleShawDrag(foamTest::dict("HeleShaw { gap 0; }"), 1), "'gap'");
-    EXPECT_FOAM_ERROR(HeleShawDrag(foamTest::dict("HeleShaw { depth 1; }"), 1), "'depth'");
-    EXPECT_FOAM_ERROR(HeleShawDrag(foamTest::dict("HeleShaw { }"), 1), "'gap'");
+    EXPECT_FOAM_ERROR(HeleShawPlates(foamTest::dict("HeleShaw { gap 0; }")), "'gap'");
+    EXPECT_FOAM_ERROR(HeleShawPlates(foamTest::dict("HeleShaw { depth 1; }")), "'depth'");
+    EXPECT_FOAM_ERROR(HeleShawPlates(foamTest::dict("HeleShaw { }")), "'gap'");
 }

@@ -128,7 +128,7 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     {
         EXPECT_NO_THROW(effectiveViscosity::New(example(name)));
     }
-    EXPECT_GT(HeleShawDrag(example("HeleShaw"), 1), 0);
+    EXPECT_GT(HeleShawPlates(example("HeleShaw")), 0);
 
     const adjustableTimeStep::limits limits(example("adjustableTimeStep").subDict("controlDict"));
     EXPECT_TRUE(limits.adjusts);

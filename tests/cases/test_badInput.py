@@ -107,7 +107,31 @@ TABLE = [
     ("noContact", swap(GRAINS, "\ncontact\n", "\ncontacts\n"), [GRAINS, "'contact'"]),
     ("noTolerance", drop(GRAINS, "tolerance   1e-7;"), [GRAINS, "contact", "'tolerance'"]),
     ("noCoupling", cut(GRAINS, "\ncoupling\n"), [GRAINS, "'coupling'"]),
-    ("noDragShape", drop(GRAINS, "        shape   disc;\n"), [GRAINS, "drag", "'shape'"]),
+    (
+        "dragShape",
+        swap(GRAINS, "        shape   disc;\n", "        shape   cube;\n"),
+        [GRAINS, "drag", "'shape'", "cube", "disc sphere"],
+    ),
+    (
+        "dragOfSpheresOnDiscs",
+        swap(GRAINS, "DallavalleDiFelice;\n        shape   disc;", "Beetstra;"),
+        [GRAINS, "drag", "'type'", "value Beetstra", "a law of discs", "shape sphere;"],
+    ),
+    (
+        "liftOfSpheresOnDiscs",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ lift { one { type Magnus; } }"),
+        [GRAINS, "one", "'type'", "value Magnus", "shape sphere;"],
+    ),
+    (
+        "largeTolerance",
+        swap(GRAINS, "1e-7", "1"),
+        [GRAINS, "contact", "'tolerance'", "value 1", "to 0.0004", "smallest diameter"],
+    ),
+    (
+        "smallTolerance",
+        swap(GRAINS, "1e-7", "1e-18"),
+        [GRAINS, "contact", "'tolerance'", "value 1e-18", "round-off"],
+    ),
     ("noGrainProperties", remove(GRAINS), [GRAINS]),
     (
         "voidFraction",

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Entries of dryGrainFoam that make no sense stop it before the first time step, by name."""
 
+import math
 import shutil
+import struct
 
 import pytest
 from dry_box import GRAINS, dry_box
@@ -78,6 +80,21 @@ def heat_and_injection(case):
     injection(BOX)(case)
 
 
+def stl(content):
+    """A wall of a file."""
+
+    def spoil(case):
+        folder = case.path / "constant/triSurface"
+        folder.mkdir()
+        (folder / "a.stl").write_bytes(content)
+        wall("type surface; file a.stl;")(case)
+
+    return spoil
+
+
+FACET = b"facet normal 0 1 0 outer loop vertex 0 0 0 vertex 0.1 0 0 vertex 0 0 0.1 endloop endfacet"
+NAN_STL = b" " * 80 + struct.pack("<I12fH", 1, 0, 1, 0, 0, 0, -1, 0.1, math.nan, -1, 0, 0, 1, 0)
+
 MOTIONS = ["free", "oscillation", "rotation", "table", "translation"]
 
 # name, how the good case is spoilt, what the message holds besides the file
@@ -91,6 +108,10 @@ TABLE = [
     ("planeNormal", wall("type plane; point (0 0 0); normal (0 0 1);"), ["'normal'", "(0 0 1)"]),
     ("planeKey", wall("type plane; point (0 0 0); normal (0 1 0); x 1;"), ["other", "'x'"]),
     ("surface", wall('type surface; file "no.stl";'), ["'file'", "no.stl", "exists"]),
+    ("nanInSurface", stl(NAN_STL), ["'file'", "a.stl", "finite", "triangle 0", "nan"]),
+    ("cutBinarySurface", stl(NAN_STL[:-7]), ["'file'", "a.stl", "127 bytes", "134", "1 triangles"]),
+    ("cutTextSurface", stl(b"solid a\n" + FACET + b"\n"), ["'file'", "a.stl", "endsolid"]),
+    ("emptySurface", stl(b""), ["'file'", "a.stl", "0 bytes"]),
     ("motionType", motion("type jump;"), ["'type'", "jump", *MOTIONS]),
     ("motionKey", motion("type translation; velocity (0 1 0); x 1;"), ["motion", "'x'"]),
     ("tableOfNothing", motion("type table;"), ["motion", "'displacement'", "none", "angle"]),

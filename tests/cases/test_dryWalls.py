@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """dryGrainFoam: walls that move, contact laws, clusters, periodic boxes, force chains."""
 
+import struct
+
 import grainplot
 import numpy as np
 import pytest
@@ -244,3 +246,71 @@ def test_ranks_agree_on_rods(clone):
     many.parallel("dryGrainFoam", 2)
     for name in ("position", "velocity", "spin", "orientation"):
         np.testing.assert_array_equal(one.grains("0.1")[name], many.grains("0.1")[name])
+
+
+PLATE = np.linalg.qr(np.column_stack([(0.2, 0.3, 1.0), (1, 0.1, 0), (0, 1, 0)]))[0]
+
+
+def on_plate(x, y, height=0.0):
+    """A place above an inclined plate through the middle of the cube."""
+    up, along, across = PLATE.T * np.sign(PLATE[2, 0])
+    return np.array([0.05, 0.05, 0.04]) + x * along + y * across + height * up
+
+
+def write_plate(case, halves):
+    """Binary STL of [-0.04, 0] x [-0.03, 0.03] in one strip and [0, 0.04] x ... in several."""
+    facets = []
+    for (left, right), n in zip([(-0.04, 0.0), (0.0, 0.04)], halves, strict=True):
+        ends = np.linspace(-0.03, 0.03, n + 1)
+        for low, high in zip(ends[:-1], ends[1:], strict=True):
+            a, b, c, d = (
+                on_plate(x, y) for x, y in [(left, low), (right, low), (right, high), (left, high)]
+            )
+            facets += [(a, b, c), (a, c, d)]
+    folder = case.path / "constant/triSurface"
+    folder.mkdir()
+    data = b"".join(struct.pack("<12fH", 0, 0, 0, *np.ravel(f), 0) for f in facets)
+    (folder / "plate.stl").write_bytes(b" " * 80 + struct.pack("<I", len(facets)) + data)
+
+
+@pytest.mark.parametrize("halves", [(1, 1), (1, 7), (5, 3)], ids=["edge", "joints", "more joints"])
+def test_spheres_slide_over_the_joints_of_a_binary_stl(clone, halves):
+    """Corners of seven digits beside the edges that they lie on are no obstacles."""
+    radius, speed = 0.0015, 0.5
+    across = np.array([-0.03 + 0.06 * k / 14 for k in range(2, 13)])
+    start = [on_plate(-0.012, y, radius + 1e-8) for y in across]
+    along = (on_plate(1, 0) - on_plate(0, 0)) * speed
+    case = dry_box(clone, start, radius, velocity=np.tile(along, (len(start), 1)))
+    write_plate(case, halves)
+    add_wall(case, "plate", 'type surface; file "plate.stl";')
+    replace(case, GRAINS, "friction    0.2", "friction 0")
+    up = on_plate(0, 0, 1) - on_plate(0, 0)
+    replace(case, "constant/g", "(0 0 -9.81)", vector(-9.81 * up))
+    control(case, endTime=0.05, writeInterval=50)
+    case.run("dryGrainFoam")
+    lines = tracks(case)
+    velocity = lines[:, 5:8]
+    # What the contact solver leaves uncertain: 1e-7 m in a step of 1 ms
+    assert np.abs(velocity @ up).max() <= 1.2e-4
+    np.testing.assert_allclose(velocity @ along / speed, speed, rtol=1e-3)
+    height = (lines[:, 2:5] - on_plate(0, 0)) @ up
+    assert np.abs(height - radius).max() <= 3e-6
+    assert ((lines[-len(start) :, 2:5] - on_plate(0, 0)) @ along / speed > 0.012).all()
+
+
+def test_surface_in_other_units(clone):
+    """A plate drawn in millimetres; checkGrains tells where the walls are."""
+    case = dry_box(clone, [(0.05, 0.05, 0.0251)], 0.005)
+    folder = case.path / "constant/triSurface"
+    folder.mkdir()
+    plate = "vertex 20 20 20 vertex 80 20 20 vertex {} 80 20"
+    facets = [plate.format(80), plate.replace("80 20 20", "80 80 20", 1).format(20)]
+    text = "".join(f"facet normal 0 0 1 outer loop {f} endloop endfacet\n" for f in facets)
+    (folder / "plate.stl").write_text(f"solid plate\n{text}endsolid plate\n")
+    add_wall(case, "plate", 'type surface; file "plate.stl"; scale 1e-3;')
+    case.run("checkGrains")
+    assert "Wall plate: 2 faces from (0.02 0.02 0.02) to (0.08 0.08 0.02)" in case.log
+    assert "Wall box: 150 faces from (0 0 0) to (0.1 0.1 0.1)" in case.log
+    control(case, endTime=0.1)
+    case.run("dryGrainFoam")
+    np.testing.assert_allclose(case.grains()["position"], [(0.05, 0.05, 0.025)], atol=1e-6)

@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run that goes wrong stops with the reason and leaves what is needed to continue."""
 
+import resource
+import signal
+import subprocess
+
 import numpy as np
-from grain_box import control, grain_box, replace
+from grain_box import control, grain_box, lattice, replace
 
 
 def assert_stopped(case, *fragments):
@@ -53,3 +57,32 @@ def test_fluid_that_blows_up(clone):
     assert f"Time {last} is incomplete" in case.log
     assert "/0.01/grains.h5" in case.log
     assert case.times[-1] == "0.02"
+
+
+def with_full_disc():
+    """Files end after 60 kB, as on a disc without room."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+
+
+def test_disc_without_room_for_the_state(clone):
+    """The reason is the last thing that is said; a run continues from the time before."""
+    case = grain_box(clone, lattice(20, 20, 0.0045, (0.004, 0.004)), 0.002)
+    control(case, endTime=0.001, writeInterval=1)
+    replace(case, "system/controlDict", "functions", "none")
+    case.run("grainFoam")
+    assert (case.path / "0.001/grains.h5").stat().st_size > 60000
+    control(case, endTime=0.002)
+    done = subprocess.run(
+        ["grainFoam"], cwd=case.path, capture_output=True, text=True, preexec_fn=with_full_disc
+    )
+    output = done.stdout + done.stderr
+    assert done.returncode == 1, output[-3000:]
+    assert "The state of the grains could not be written" in output
+    assert "File too large" in output
+    assert "printStack" not in output
+    assert output.rstrip().endswith("FOAM exiting")
+
+    case.run("grainFoam")
+    assert "Time 0.002 is incomplete" in case.log
+    assert "/0.001/grains.h5" in case.log

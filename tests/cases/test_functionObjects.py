@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Function objects of dryGrainFoam: contact problems for other solvers, walls for ParaView."""
 
+import re
 import subprocess
 
 import h5py
@@ -123,3 +124,84 @@ def test_walls_are_drawn_where_they_are(clone, dimension):
         low = [0, 0, 0 if dimension == 3 else depth]
         np.testing.assert_allclose(fixed.min(axis=0), low, atol=1e-9)
         np.testing.assert_allclose(fixed.max(axis=0), [0.1, 0.1, depth], atol=1e-9)
+
+
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=pytest.mark.parallel)])
+@DIMENSIONS
+def test_walls_carry_what_lies_on_them(clone, dimension, ranks):
+    """Force and moment of grains at rest on a plane, one of two walls."""
+    place = [(0.03, RADIUS), (0.08, RADIUS)] if dimension == 2 else [(0.03, 0.06, RADIUS)]
+    case = dry_box(clone, place, RADIUS, dimension=dimension)
+    up = "(0 1 0)" if dimension == 2 else "(0 0 1)"
+    floor = f"type plane; point (0 0 0); normal {up}; material steel;"
+    box = "(left right top)" if dimension == 2 else '(".*")'
+    if dimension == 2:
+        replace(case, GRAINS, "(left right bottom top)", box)
+    else:
+        floor = floor.replace("point (0 0 0)", "point (0 0 1e-3)")
+        text = (case.path / "constant/grains.csv").read_text()
+        (case.path / "constant/grains.csv").write_text(text.replace("0.005,", "0.006,", 1))
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    floor {{ {floor} }}\n")
+    add_function(case, "wallForces", every=1)
+    origin = np.array([0.01, 0.02, 0.0])
+    control(case, endTime=0.02, writeInterval=20)
+    kind = "type wallForces;"
+    replace(case, "system/controlDict", kind, f"{kind} origin (0.01 0.02 0);")
+    run(case, ranks)
+
+    table = case.table("postProcessing/out/0/floor.csv")
+    grains = case.grains()
+    weight = grains["mass"] * G
+    down = "fy" if dimension == 2 else "fz"
+    np.testing.assert_allclose(table["time"], np.arange(1, 21) * 1e-3, rtol=1e-9)
+    # 1e-7 m in a step of 1 ms is 1e-4 m/s, 1 % of what gravity adds in it
+    np.testing.assert_allclose(table[down][5:], -weight.sum(), rtol=1e-2)
+    assert (table["contacts"][5:] == len(place)).all()
+    position = np.full((len(place), 3), DEPTH / 2)
+    position[:, :dimension] = grains["position"]
+    force = np.zeros(3)
+    force[dimension - 1] = -1
+    moment = (np.cross(position - origin, force) * weight[:, None]).sum(axis=0)
+    last = np.array([table[name][-1] for name in ("mx", "my", "mz")])
+    np.testing.assert_allclose(last, moment, rtol=1e-2, atol=1e-12)
+    other = case.table("postProcessing/out/0/box.csv")
+    assert (other["contacts"] == 0).all()
+    assert (other[down] == 0).all()
+
+
+def test_walls_that_are_none_are_refused(clone):
+    case = dry_box(clone, [(0.05, 0.05)], RADIUS, dimension=2)
+    add_function(case, "wallForces", every=1)
+    replace(case, "system/controlDict", "type wallForces;", "type wallForces; walls (drum);")
+    assert case.run("dryGrainFoam", check=False) == 1
+    for fragment in ("'walls'", "value drum", "(box)"):
+        assert fragment in case.log
+
+
+def cloud(case, time, name):
+    """Values of a field of the lagrangian output, a list for each grain."""
+    text = (case.path / time / "lagrangian/grains" / name).read_text()
+    body = text[text.index("// *") :].split("\n", 1)[1]
+    number = r"-?\d[\d.e+-]*"
+    n, bracket, values = re.search(r"(\d+)([({])([^/]*)", body).groups()
+    rows = re.findall(r"\(([^()]*)\)", values) or re.findall(number, values)
+    return [[float(v) for v in re.findall(number, r)] for r in rows] * (
+        int(n) if bracket == "{" else 1
+    )
+
+
+def test_cloud_has_contacts_and_begins_at_time_0(clone):
+    """A disc on another on the floor: one and two contacts, forces that balance the weight."""
+    case = dry_box(clone, [(0.05, RADIUS), (0.05, 3 * RADIUS)], RADIUS, dimension=2)
+    control(case, endTime=0.05, writeInterval=50, writeFormat="ascii")
+    case.run("dryGrainFoam")
+    assert "ExecutionTime = " in case.log
+    assert "ClockTime = " in case.log
+    assert cloud(case, "0", "id") == [[0], [1]]
+    assert cloud(case, "0.05", "contacts") == [[2], [1]]
+    force = np.array(cloud(case, "0.05", "contactForce"))
+    weight = case.grains()["mass"] * G
+    np.testing.assert_allclose(force[:, 1], weight, rtol=2e-2)
+    case.run("foamToVTK")
+    assert len(list((case.path / "VTK").rglob("lagrangian/grains/*.vtp"))) == 2
+    assert not (case.path / "0/grains.h5").exists()

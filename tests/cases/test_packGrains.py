@@ -139,8 +139,13 @@ def test_dense_fills_across_cyclic_patches(clone):
 
 @pytest.mark.parametrize("name", [name for name in EXAMPLES if name != "FoamFile"])
 def test_examples_are_packed(clone, name):
-    case = grain_box(clone, [(0.05, 0.05)])
-    (case.path / "grains.csv").write_bytes((case.path / "constant/grains.csv").read_bytes())
+    if name in ("inACylinder", "inAHopper", "inAZone"):
+        case = dry_box(clone)
+        cube_stl(case, 20, 80, "hopper.stl")
+        zone(case, "(0 0 0) (0.1 0.1 0.05)", "bed")
+    else:
+        case = grain_box(clone, [(0.05, 0.05)])
+        (case.path / "grains.csv").write_bytes((case.path / "constant/grains.csv").read_bytes())
     (case.path / "system/packGrainsDict").write_text(HEADER + EXAMPLES[name])
     case.run("packGrains")
     assert case.logged("Number of grains        ") > 0
@@ -281,3 +286,148 @@ def test_check_grains_takes_the_state_of_the_start_time(clone):
     case.run("checkGrains")
     assert "0.05/grains.h5" in case.log
     assert "Number of grains        1" in case.log
+
+
+REGIONS = {
+    "cylinder": "region { type cylinder; start (0.05 0.05 0.01); end (0.05 0.05 0.09);"
+    " radius 0.03; }",
+    "surface": 'region { type surface; file "cube.stl"; scale 0.01; }',
+    "cellZone": "region { type cellZone; zone middle; }",
+}
+
+
+def cube_stl(case, low, high, file="cube.stl"):
+    """A cube of twelve triangles, outwards."""
+    corner = [[(low, high)[i >> d & 1] for d in range(3)] for i in range(8)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    text = ""
+    for a, b, c, d in quads:
+        for triangle in ((a, b, c), (a, c, d)):
+            vertices = " ".join("vertex {} {} {}".format(*corner[i]) for i in triangle)
+            text += f"facet normal 0 0 0 outer loop {vertices} endloop endfacet\n"
+    (case.path / "constant/triSurface").mkdir()
+    (case.path / "constant/triSurface" / file).write_text(f"solid c\n{text}endsolid c\n")
+
+
+def zone(case, box, name="middle"):
+    cells = f"name {name}; type cellSet; action new; source boxToCell; box {box};"
+    zone = f"name {name}; type cellZoneSet; action new; source setToCellZone; set {name};"
+    dictionary = f"{HEADER}actions ( {{ {cells} }} {{ {zone} }} );"
+    (case.path / "system/topoSetDict").write_text(dictionary)
+    case.run("topoSet")
+
+
+@pytest.mark.parametrize("region", REGIONS)
+@pytest.mark.parametrize("source", ["lattice", "hexagonal", "randomFill"])
+def test_spheres_lie_wholly_in_a_region(clone, region, source):
+    case = dry_box(clone)
+    cube_stl(case, 2, 8)
+    zone(case, "(0.021 0.021 0.021) (0.079 0.079 0.079)")
+    box = "box (0 0 0) (0.1 0.1 0.1);"
+    fill = "number 60; minRadius 4e-3; maxRadius 5e-3;"
+    size = fill if source == "randomFill" else "radius 4e-3;"
+    entries = f"type {source}; {box} {size} material glass; {REGIONS[region]}"
+    centres, radii = pack_case(case, entries, 3)
+    assert len(radii) == 60 if source == "randomFill" else len(radii) > 100
+    if region == "cylinder":
+        assert (np.linalg.norm(centres[:, :2] - 0.05, axis=1) + radii).max() <= 0.03
+        assert (np.abs(centres[:, 2] - 0.05) + radii).max() <= 0.04
+    else:
+        # Cells of 20 mm: the zone is that of the cube
+        assert (np.abs(centres - 0.05).max(axis=1) + radii).max() <= 0.03 + 1e-12
+
+
+def test_discs_lie_wholly_in_a_region(clone):
+    """A surface is cut in the middle of the mesh."""
+    for region in ("surface", "cellZone"):
+        case = grain_box(clone, name=region)
+        cube_stl(case, -2, 5)
+        zone(case, "(-1 -1 -1) (0.05 0.05 1)")
+        centres, radii = pack_case(
+            case, f"type hexagonal; {BOX} radius 2e-3; material glass; {REGIONS[region]}"
+        )
+        assert (centres + radii[:, None]).max() <= 0.05 + 1e-12
+        # Rows of 12 and 11 or 12, sqrt(3) radii apart
+        assert len(radii) == 7 * 12 + 7 * 12
+
+
+def test_two_powders_are_mixed_in_one_region(clone):
+    coarse = f"type randomFill; {BOX} number 60; minRadius 4e-3; material glass;"
+    fine = f"type randomFill; {BOX} number 600; minRadius 1e-3; material steel; seed 2;"
+    several = f"type several; sources {{ coarse {{ {coarse} }} fine {{ {fine} }} }}"
+    _, centres, radii = pack(clone, several)
+    assert worst_overlap(centres, radii) <= 0
+    assert (radii == 4e-3).sum() == 60
+    assert (radii == 1e-3).sum() == 600
+    # Fine grains lie between the coarse ones everywhere
+    fine = centres[radii == 1e-3]
+    assert np.histogram2d(*fine.T, bins=4, range=[(0, 0.1)] * 2)[0].min() >= 10
+
+    lattice = f"type lattice; {BOX} radius 1e-3; material steel;"
+    several = f"type several; sources {{ coarse {{ {coarse} }} fine {{ {lattice} }} }}"
+    _, centres, radii = pack(clone, several, "lattice")
+    assert worst_overlap(centres, radii) <= 1e-15
+    assert 600 < (radii == 1e-3).sum() < 50**2
+
+
+def test_material_may_stand_in_the_file_alone(clone):
+    case = grain_box(clone)
+    (case.path / "constant/grains.csv").write_text(
+        "x,y,z,radius,material\n0.02,0.02,0,0.004,steel\n0.05,0.02,0,0.004,glass\n"
+    )
+    replace(case, "constant/grainProperties", "    material    glass;\n}", "}")
+    case.run("checkGrains")
+    mass = np.pi * 0.004**2 * 0.01 * (7800 + 2500)
+    assert case.logged("Mass                    ") == pytest.approx(mass, rel=1e-5)
+
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n0.02,0.02,0,0.004\n")
+    assert case.run("checkGrains", check=False) == 1
+    for fragment in ("initialGrains", "'material' is missing", "(glass steel)", "column"):
+        assert fragment in case.log
+
+
+@pytest.mark.parametrize(
+    "entries, what",
+    [
+        (f"type lattice; {BOX.replace('0.1', '0.3')} radius 2e-3; material glass;", "outside"),
+        (f"type lattice; {BOX.replace('(0 0', '(-1e-3 0')} radius 2e-3; material glass;", "wall"),
+    ],
+)
+def test_packing_that_does_not_fit_is_refused_by_its_own_file(clone, entries, what):
+    case = grain_box(clone)
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    assert case.run("packGrains", check=False) == 1
+    error = case.log[case.log.index("-->") :]
+    assert "system/packGrainsDict" in error
+    assert "Keyword 'type'" in error
+    assert what in error
+    assert "initialGrains" not in error
+
+
+@pytest.mark.parametrize(
+    "entries, keyword",
+    [
+        (f"type lattice; {BOX} radius 1e-6; material glass;", "radius"),
+        (f"type hexagonal; {BOX} radius 1e-6; material glass;", "radius"),
+        (FILL.replace("150", "1000000000"), "number"),
+        (DENSE.replace("e-3", "e-6"), "distribution"),
+    ],
+)
+def test_numbers_beyond_all_memory_are_refused(clone, entries, keyword):
+    case = grain_box(clone)
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    assert case.run("packGrains", check=False, timeout=60) == 1
+    assert re.search(r"Source packGrainsDict: about [0-9.e+]+ grains", case.log)
+    for fragment in (f"Keyword '{keyword}'", "at most 1e8 grains"):
+        assert fragment in case.log
+
+
+def test_settling_tells_how_far_it_is(clone):
+    fill = FILL.replace("150", "500").replace("1.6e-3", "1e-3").replace("2.4e-3", "1.5e-3")
+    entries = f"type settled; from {{ {fill} }} deltaT 2e-5; maxTime 10;"
+    case = grain_box(clone)
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    case.run("packGrains")
+    assert "about 500 grains" in case.log
+    assert case.log.count("Settling 500 grains, at most 10 s") == 2
+    assert re.search(r"[0-9.e-]+ s: the fastest moves at [0-9.e-]+ m/s", case.log)

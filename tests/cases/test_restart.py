@@ -3,7 +3,9 @@
 """A run that was stopped or killed and continued is the uninterrupted run, bit for bit."""
 
 import os
+import shutil
 import subprocess
+import time
 
 import numpy as np
 import pytest
@@ -58,7 +60,7 @@ def test_stop_and_restart(clone, grains):
 CLOSURES = """
     form B;
     addedMass 1;
-    lift { shear { type SaffmanMei; } spin { type Magnus; } }
+    lift { shear { type SaffmanMei; shape sphere; } spin { type Magnus; shape sphere; } }
     viscosity { type KriegerDougherty; maxFraction 0.9; }
 """
 
@@ -114,15 +116,144 @@ def test_kill_while_writing_and_restart(clone, grains):
     for case in (whole, killed):
         control(case, endTime=0.3, writeInterval=5)
     whole.run("grainFoam")
-    time = kill_while_writing(killed)
-    assert time is not None
-    assert not (killed.path / time / "grains.h5").exists()
+    stop = kill_while_writing(killed)
+    assert stop is not None
+    assert not (killed.path / stop / "grains.h5").exists()
 
     killed.run("grainFoam")
-    assert f"Time {time} is incomplete" in killed.log
-    assert (killed.path / f"{time}.incomplete/grains.h5.incomplete").exists()
-    before = [name for name in whole.times if float(name) < float(time)][-1]
+    assert f"Time {stop} is incomplete" in killed.log
+    assert (killed.path / f"{stop}.incomplete/grains.h5.incomplete").exists()
+    before = [name for name in whole.times if float(name) < float(stop)][-1]
     if before != "0":
         assert f"/{before}/grains.h5" in killed.log
     assert_same(whole, killed)
     assert track_lines(whole) == track_lines(killed)
+
+
+def test_developed_fields_without_grains_are_refused(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    control(case, endTime=0.02, writeInterval=10)
+    case.run("grainFoam")
+    (case.path / "0.02/grains.h5").unlink()
+    files = [path for path in (case.path / "0.02").iterdir() if path.is_file()]
+    before = {path: path.read_bytes() for path in files}
+    control(case, endTime=0.03)
+    for program in ("grainFoam", "checkGrains"):
+        assert case.run(program, check=False) == 1
+        for fragment in ("controlDict", "'startFrom'", "0.02/grains.h5", "rename", "processor"):
+            assert fragment in case.log, case.log
+        assert "\nTime = " not in case.log
+    assert case.times[-1] == "0.02"
+    assert before == {path: path.read_bytes() for path in before}
+
+    # What the message tells to do
+    (case.path / "0.01").rename(case.path / "0.01.old")
+    shutil.rmtree(case.path / "0")
+    (case.path / "0.02").rename(case.path / "0")
+    shutil.rmtree(case.path / "0/uniform")
+    case.run("checkGrains")
+    case.run("grainFoam")
+    assert case.times[-1] == "0.03"
+
+
+def test_materials_are_found_by_their_names(clone):
+    """A material in front of the others takes none of their grains."""
+    whole, parts = (grain_box(clone, CASES["pile"], RADIUS, name=name) for name in ("a", "b"))
+    control(whole, endTime=0.04, writeInterval=20)
+    whole.run("grainFoam")
+    control(parts, endTime=0.02, writeInterval=20)
+    parts.run("grainFoam")
+
+    grains = "constant/grainProperties"
+    replace(parts, grains, "    glass   {", "    gold { density 2500; }\n    glass   {")
+    laws = "contactLaws\n{"
+    for other in ("gold", "steel"):
+        laws += f"\n gold{other} {{ materials (gold {other}); type Coulomb; friction 0; }}"
+    replace(parts, grains, "contactLaws\n{", laws)
+    control(parts, endTime=0.04)
+    parts.run("grainFoam")
+    assert (whole.grains()["material"] == 0).all()
+    assert (parts.grains()["material"] == 1).all()
+    for name in ("position", "velocity", "spin"):
+        np.testing.assert_array_equal(whole.grains()[name], parts.grains()[name], err_msg=name)
+
+    replace(parts, grains, "    glass   {", "    silica  {")
+    text = (parts.path / grains).read_text()
+    (parts.path / grains).write_text(text.replace(" glass", " silica").replace("(glass", "(silica"))
+    control(parts, endTime=0.05)
+    assert parts.run("grainFoam", check=False) == 1
+    assert "material glass, which is none of gold silica steel" in parts.log
+
+
+def start(case, program="grainFoam"):
+    """A solver that runs until it is told to stop."""
+    env = os.environ | {"PWD": str(case.path)}
+    silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    return subprocess.Popen(program.split(), cwd=case.path, env=env, **silent)
+
+
+def wait_for(condition, solver, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert solver.poll() is None and time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_second_run_in_a_live_case_is_refused(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    control(case, endTime=1000, writeInterval=1, purgeWrite=2)
+    lock = case.path / "grains.lock"
+    solver = start(case)
+    try:
+        wait_for(lambda: len(case.times) > 1, solver)
+        for _ in range(5):
+            assert case.run("grainFoam", check=False, timeout=60) == 1
+            assert "Another run is in this case: host" in case.log
+            assert f"process {solver.pid}" in case.log
+            assert str(lock) in case.log
+        assert solver.poll() is None
+        assert not list(case.path.glob("*.incomplete"))
+    finally:
+        solver.kill()
+        solver.wait()
+
+    # Killed: it could not remove the file
+    assert lock.exists()
+    control(case, endTime=1e-3 + float(case.times[-1]))
+    case.run("grainFoam")
+    assert f"process {solver.pid} in this case has ended" in case.log
+    assert not lock.exists()
+
+    # Of another host nothing is known
+    lock.write_text("host elsewhere process 1\n")
+    assert case.run("grainFoam", check=False) == 1
+    assert "host elsewhere process 1" in case.log
+    assert f'remove "{lock}"' in case.log
+    lock.unlink()
+    case.run("grainFoam")
+
+
+def test_run_that_stops_with_an_error_leaves_no_lock(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    replace(case, "constant/grainProperties", "density 2500", "density -1")
+    assert case.run("grainFoam", check=False) == 1
+    assert not (case.path / "grains.lock").exists()
+
+
+@pytest.mark.parallel
+def test_second_run_in_a_live_case_of_two_ranks_is_refused(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    control(case, endTime=1000, writeInterval=1, purgeWrite=2)
+    case.run("decomposePar")
+    solver = start(case, "mpirun --oversubscribe -np 2 grainFoam -parallel")
+    try:
+        wait_for(lambda: len(case.times) > 1, solver)
+        assert case.parallel("grainFoam", 2, check=False, timeout=60) == 1
+        assert "Another run is in this case: host" in case.log
+        assert solver.poll() is None
+    finally:
+        solver.terminate()
+        solver.wait()
+    control(case, endTime=1e-3 + max(float(time) for time in case.times))
+    case.parallel("grainFoam", 2)
+    assert not (case.path / "grains.lock").exists()

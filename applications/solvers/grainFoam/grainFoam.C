@@ -11,7 +11,7 @@ Group
     grpGrainSolvers
 
 Description
-    Transient solver for an incompressible, laminar Newtonian fluid with
+    Transient solver for an incompressible fluid, laminar or turbulent, with
     immersed grains in contact: volume-averaged Navier-Stokes equations,
     semi-implicit exchange over the overlaps of grains and cells, non-smooth
     contact dynamics (doc/theory.md).  PISO algorithm.
@@ -24,6 +24,7 @@ Description
 #include "adjustableTimeStep.H"
 #include "carriedFields.H"
 #include "dictionaryInput.H"
+#include "fluidInput.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"
 #include "incompleteTimes.H"
@@ -35,7 +36,7 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Incompressible laminar flow with immersed grains in contact."
+        "Incompressible flow with immersed grains in contact."
     );
 
     #include "setRootCaseLists.H"

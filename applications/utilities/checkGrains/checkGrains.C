@@ -21,20 +21,23 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "OSspecific.H"
 
 #include "dictionaryInput.H"
 #include "dragLaw.H"
+#include "fluidInput.H"
 #include "grainChecks.H"
+#include "grainState.H"
 #include "packingReport.H"
+#include "passablePatches.H"
 #include "recommendedTimeStep.H"
 
 // The state at the start time or the initial grains
 template<int D>
 nscd::Grains<D> readGrains(const grainProperties<D>& properties)
 {
-    const fileName state(properties.space().mesh().time().timePath()/"grains.h5");
-    if (!isFile(state, false))
+    const Time& runTime = properties.space().mesh().time();
+    const fileName state(grainStateFile(runTime));
+    if (!continuesFromState(runTime))
     {
         Info<< "Initial grains of constant/grainProperties" << nl;
         return properties.initialGrains();
@@ -86,7 +89,10 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     );
     const nscd::Grains<D> grains(readGrains(properties));
 
+    printWalls(properties.walls());
+    printPassablePatches(properties.dict(), mesh);
     printPacking(properties, grains);
+    grainChecks<D>(properties, grains).requireTolerance();
     const bool good = printFaults(properties, grains);
 
     if (grains.size() && transport.size())
@@ -122,6 +128,10 @@ int main(int argc, char *argv[])
             IOobject::NO_WRITE
         )
     );
+    if (transport.size())
+    {
+        checkTransportProperties(transport);
+    }
     const bool good =
         isPlanar(mesh) ? check<2>(mesh, transport) : check<3>(mesh, transport);
 

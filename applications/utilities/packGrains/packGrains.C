@@ -77,7 +77,7 @@ void pack(const fvMesh& mesh, const dictionary& dict)
     const nscd::Grains<D> grains(properties.grains(dict));
     const grainSpace<D>& space = properties.space();
 
-    const grainChecks<D> checks(properties, grains);
+    const grainChecks<D> checks(properties, grains, dict, "type");
     checks.requireInside();
     checks.requireNoOverlap();
 

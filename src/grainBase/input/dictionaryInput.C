@@ -6,6 +6,7 @@
 #include "dictionaryInput.H"
 
 #include "OStringStream.H"
+#include "userNames.H"
 
 namespace
 {
@@ -125,11 +126,13 @@ void Foam::dictionaryInput::checkKeywords
 {
     forAllConstIters(dict, iter)
     {
-        if (!allowed.found(iter().keyword()))
+        const word& keyword = iter().keyword();
+        if (!allowed.found(keyword) && !isUserName(dict, keyword, allowed))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown keyword '" << iter().keyword() << "'" << nl
+                << "Unknown keyword '" << keyword << "'" << nl
                 << "    allowed: " << listed(allowed).c_str()
+                << " and names of your own that a $ uses"
                 << exit(FatalIOError);
         }
     }

@@ -6,9 +6,10 @@
 #include "incompleteTimes.H"
 
 #include "argList.H"
+#include "caseDirectories.H"
+#include "caseLock.H"
 #include "OSspecific.H"
 #include "Pstream.H"
-#include "TimePaths.H"
 
 namespace
 {
@@ -45,14 +46,17 @@ void Foam::setAsideIncompleteTimes(const argList& args)
 {
     const fileName casePath(args.rootPath()/args.globalCaseName());
 
+    // What a live run is writing is incomplete, too
+    lockCase(args);
+
     wordList incomplete;
     if (Pstream::master())
     {
-        for (const instant& time : TimePaths::findTimes(casePath))
+        for (const word& time : timesOnDisc(casePath))
         {
-            if (isIncomplete(casePath/time.name()))
+            if (isIncomplete(casePath/time))
             {
-                incomplete.append(time.name());
+                incomplete.append(time);
             }
         }
     }
@@ -63,12 +67,12 @@ void Foam::setAsideIncompleteTimes(const argList& args)
         Info<< "Time " << name << " is incomplete; it is renamed to "
             << name << ".incomplete" << nl << endl;
 
-        setAside(casePath/name);
-        for (const fileName& dir : readDir(casePath, fileName::DIRECTORY))
+        if (Pstream::master())
         {
-            if (Pstream::master() && dir.startsWith("processor"))
+            setAside(casePath/name);
+            for (const fileName& dir : processorDirectories(casePath))
             {
-                setAside(casePath/dir/name);
+                setAside(dir/name);
             }
         }
     }

@@ -51,7 +51,8 @@ void Foam::runProgress::print(const string& shares) const
 
     Info<< "Elapsed   " << duration(elapsed()).c_str() << shares.c_str() << ", about "
         << duration(elapsed()/max(done, VSMALL)*max(toDo, 0.0)).c_str()
-        << " to go" << endl;
+        << " to go" << nl;
+    time_.printExecutionTime(Info);
 }
 
 

@@ -6,6 +6,7 @@
 #include "dragLaw.H"
 
 #include "selected.H"
+#include "shapeOfLaw.H"
 
 namespace Foam
 {
@@ -20,17 +21,19 @@ Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New
     const label nDimensions
 )
 {
-    autoPtr<dragLaw> law
-    (
-        dictionaryInput::selected(*dictionaryConstructorTablePtr_, dict)(dict)
-    );
-    if (law->isOfDiscs() && nDimensions == 3)
+    const auto construct =
+        dictionaryInput::selected(*dictionaryConstructorTablePtr_, dict);
+
+    dictionary full(dict);
+    if (!full.found("shape"))
     {
-        dictionaryInput::badValue
-        (
-            dict, "shape", "disc",
-            "sphere, as this mesh is three-dimensional"
-        );
+        full.add("shape", word(nDimensions == 3 ? "sphere" : "disc"));
     }
+    autoPtr<dragLaw> law(construct(full));
+
+    dictionaryInput::shapeOfLaw
+    (
+        dict, nDimensions == 3 ? "sphere" : "disc", law->shapes()
+    );
     return law;
 }

@@ -20,7 +20,7 @@ namespace liftLaws
 
 Foam::liftLaws::Magnus::Magnus(const dictionary& dict)
 {
-    dictionaryInput::checkKeywords(dict, {"type"});
+    dictionaryInput::checkKeywords(dict, {"type", "shape"});
 }
 
 

@@ -21,7 +21,7 @@ namespace liftLaws
 
 Foam::liftLaws::SaffmanMei::SaffmanMei(const dictionary& dict)
 {
-    dictionaryInput::checkKeywords(dict, {"type"});
+    dictionaryInput::checkKeywords(dict, {"type", "shape"});
 }
 
 

@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "selected.H"
+#include "shapeOfLaw.H"
 
 namespace Foam
 {
@@ -30,9 +31,15 @@ Foam::PtrList<Foam::liftLaw> Foam::liftLaw::all(const dictionary& coupling)
     if (coupling.found("lift"))
     {
         const dictionary& dict = dictionaryInput::subDict(coupling, "lift");
+        const word ofGrains
+        (
+            coupling.topDict().getOrDefault<word>("shape", "sphere")
+        );
         for (const word& name : dict.toc())
         {
-            laws.append(New(dictionaryInput::subDict(dict, name)));
+            const dictionary& law = dictionaryInput::subDict(dict, name);
+            laws.append(New(law));
+            dictionaryInput::shapeOfLaw(law, ofGrains, {"sphere"});
         }
     }
     return laws;

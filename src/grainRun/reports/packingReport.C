@@ -66,6 +66,25 @@ void Foam::printPacking
 
 
 template<int D>
+void Foam::printWalls(const grainWalls<D>& walls)
+{
+    for (const wallExtent& wall : walls.extents())
+    {
+        Info<< "Wall " << wall.name << ": ";
+        if (wall.bounds.valid())
+        {
+            Info<< wall.nPieces << (D == 2 ? " segments" : " faces") << " from "
+                << wall.bounds.min() << " to " << wall.bounds.max() << nl;
+        }
+        else
+        {
+            Info<< "a plane" << nl;
+        }
+    }
+}
+
+
+template<int D>
 bool Foam::printFaults
 (
     const grainProperties<D>& properties,
@@ -114,3 +133,5 @@ template bool Foam::printFaults
 (
     const grainProperties<3>&, const nscd::Grains<3>&
 );
+template void Foam::printWalls(const grainWalls<2>&);
+template void Foam::printWalls(const grainWalls<3>&);

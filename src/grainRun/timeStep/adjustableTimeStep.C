@@ -169,11 +169,34 @@ Foam::scalar Foam::adjustableTimeStep::timeToWrite(const scalar deltaT) const
 }
 
 
+void Foam::adjustableTimeStep::warnOnce(const surfaceScalarField& phiU)
+{
+    if (hasWarned_)
+    {
+        return;
+    }
+    const scalar ofFluid = courantOfFluid(phiU)*time_.deltaTValue();
+    const scalar ofGrains = courantOfGrains()*time_.deltaTValue();
+    if (max(ofFluid, ofGrains) > 1)
+    {
+        hasWarned_ = true;
+        WarningInFunction
+            << "Courant number " << ofFluid << " of the fluid, " << ofGrains
+            << " of the grains after time " << time_.timeName() << nl
+            << "    above 1 a step is longer than the fluid or a grain stays in"
+            << " a cell: the exchange between them is out of date within it;"
+            << nl << "    a smaller deltaT, or 'adjustTimeStep yes', avoids it"
+            << " (said once)" << endl;
+    }
+}
+
+
 void Foam::adjustableTimeStep::set(const surfaceScalarField& phiU)
 {
     const limits given(time_.controlDict());
     if (!given.adjusts)
     {
+        warnOnce(phiU);
         return;
     }
 

@@ -13,6 +13,8 @@
 #include "nscd/walls/WallContact.hpp"
 #include "OStringStream.H"
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 template<int D>
@@ -22,16 +24,31 @@ Foam::grainChecks<D>::grainChecks
     const nscd::Grains<D>& grains
 )
 :
+    grainChecks(properties, grains, properties.dict(), "initialGrains")
+{}
+
+
+template<int D>
+Foam::grainChecks<D>::grainChecks
+(
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains,
+    const dictionary& source,
+    const word& keyword
+)
+:
     properties_(properties),
-    grains_(grains)
+    grains_(grains),
+    source_(source),
+    keyword_(keyword)
 {}
 
 
 template<int D>
 void Foam::grainChecks<D>::refuse(const string& what, const string& allowed) const
 {
-    FatalIOErrorInFunction(properties_.dict())
-        << "Keyword 'initialGrains': " << what.c_str() << nl
+    FatalIOErrorInFunction(source_)
+        << "Keyword '" << keyword_ << "': " << what.c_str() << nl
         << "    allowed: " << allowed.c_str() << exit(FatalIOError);
     std::abort();
 }
@@ -159,10 +176,44 @@ void Foam::grainChecks<D>::requireMasses() const
                 << describe(label(i)).c_str() << " has the mass "
                 << grains_.mass[i] << " kg in the state that is continued, "
                 << mass << " kg by this dictionary" << nl
-                << "    allowed: materials in the order, with the density and"
-                << " the packingRatio that the state was written with"
+                << "    allowed: the density and the packingRatio that the"
+                << " state was written with"
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+template<int D>
+void Foam::grainChecks<D>::requireTolerance() const
+{
+    if (grains_.radius.empty())
+    {
+        return;
+    }
+    const scalar diameter =
+        2**std::min_element(grains_.radius.begin(), grains_.radius.end());
+    scalar farthest = 0;
+    for (const nscd::Vector<D>& x : grains_.position)
+    {
+        farthest = max(farthest, scalar(x.cwiseAbs().maxCoeff()));
+    }
+
+    // Above, grains are in each other; below, no solution is accurate enough
+    const scalar high = 0.05*diameter;
+    const scalar low = std::numeric_limits<scalar>::epsilon()*farthest;
+    const scalar tolerance = properties_.contact().tolerance;
+    if (tolerance < low || tolerance > high)
+    {
+        OStringStream allowed;
+        allowed
+            << "a value from " << low << ", the round-off of positions, to "
+            << high << ", a twentieth of the smallest diameter";
+        dictionaryInput::badValue
+        (
+            properties_.dict().subDict("contact"), "tolerance",
+            Foam::name(tolerance), allowed.str()
+        );
     }
 }
 

@@ -5,9 +5,9 @@
 
 #include "grainDynamics.H"
 
+#include "foamCompat.H"
 #include "IOField.H"
 #include "nscd/shape/Members.hpp"
-#include "passiveParticleCloud.H"
 
 namespace
 {
@@ -25,7 +25,7 @@ public:
 
     pointCloud(const polyMesh& mesh, const word& name)
     :
-        cloud_(mesh, name, IDLList<passiveParticle>())
+        cloud_(foamCompat::emptyCloud(mesh, name))
     {}
 
     void add(const label i, const point& x, const label celli, const label id)
@@ -81,12 +81,16 @@ void Foam::grainDynamics<D>::writeCloud() const
     }
     cloud.write();
 
+    cloud.write("id", [&](label i) { return id(i); });
     cloud.write("radius", [&](label i) { return scalar(g.radius[i]); });
     cloud.write("mass", [&](label i) { return scalar(g.mass[i]); });
     cloud.write("U", [&](label i) { return velocity(i); });
     cloud.write("omega", [&](label i) { return spin(i); });
     cloud.write("material", [&](label i) { return label(g.material[i]); });
     cloud.write("temperature", [&](label i) { return scalar(g.temperature[i]); });
+    const labelList nContacts(contactNumbers());
+    cloud.write("contacts", [&](label i) { return nContacts[i]; });
+    cloud.write("contactForce", [&](label i) { return contactForce(i); });
     if (fluidForce_.size())
     {
         cloud.write("fluidForce", [&](label i) { return fluidForce_[i]; });
@@ -96,6 +100,33 @@ void Foam::grainDynamics<D>::writeCloud() const
         cloud.write("shape", [&](label i) { return label(g.shape[i]); });
         writeMembers();
     }
+}
+
+
+template<int D>
+Foam::labelList Foam::grainDynamics<D>::contactNumbers() const
+{
+    labelList number(size(), label(0));
+    for (const nscd::ContactForce<D>& c : dynamics_->contacts())
+    {
+        ++number[c.first];
+        if (c.second >= 0)
+        {
+            ++number[c.second];
+        }
+    }
+    return number;
+}
+
+
+template<int D>
+Foam::vector Foam::grainDynamics<D>::contactForce(const label graini) const
+{
+    const scalar deltaT = lastTimeStep();
+    return
+        deltaT > 0
+      ? space().toSpace(dynamics_->contactImpulse()[graini])/deltaT
+      : vector(Zero);
 }
 
 
@@ -116,10 +147,14 @@ void Foam::grainDynamics<D>::writeMembers() const
     cloud.write();
 
     cloud.write("radius", [&](label m) { return scalar(members.radius()[m]); });
-    cloud.write("grain", [&](label m) { return id(members.grain(m)); });
+    cloud.write("id", [&](label m) { return id(members.grain(m)); });
     cloud.write("U", [&](label m) { return velocity(members.grain(m)); });
 }
 
 
+template Foam::labelList Foam::grainDynamics<2>::contactNumbers() const;
+template Foam::labelList Foam::grainDynamics<3>::contactNumbers() const;
+template Foam::vector Foam::grainDynamics<2>::contactForce(label) const;
+template Foam::vector Foam::grainDynamics<3>::contactForce(label) const;
 template void Foam::grainDynamics<2>::writeCloud() const;
 template void Foam::grainDynamics<3>::writeCloud() const;

@@ -7,7 +7,8 @@
 
 #include "combineOverRanks.H"
 #include "grainChecks.H"
-#include "OSspecific.H"
+#include "grainState.H"
+#include "passablePatches.H"
 
 template<int D>
 Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
@@ -18,7 +19,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     outlets_(properties_, injections_.openings()),
     openings_(outlets_.openings())
 {
-    const bool restart = isFile(stateFile(), false);
+    const bool restart = continuesFromState(mesh.time());
 
     try
     {
@@ -39,13 +40,6 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
             dynamics_->load(stateFile());
             Info<< "Grains continue from " << stateFile() << endl;
         }
-        else if (mesh.time().value() > 0)
-        {
-            WarningInFunction
-                << "There is no " << stateFile() << ": the initial grains of "
-                << properties_.dict().name() << " are put into the fields of"
-                << " time " << mesh.time().timeName() << endl;
-        }
     }
     catch (const std::exception& err)
     {
@@ -55,6 +49,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     }
 
     const grainChecks<D> checks(properties_, grains());
+    checks.requireTolerance();
     checks.requireMasses();
     checks.requireLaws();
     checks.requireRest();
@@ -77,10 +72,16 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
         heat_.get(),
         std::set<label>(grains().material.begin(), grains().material.end())
     );
+    printPassablePatches(properties_.dict(), mesh);
     injections_.startAfter(grains());
     if (restart)
     {
         injections_.load(injectionsFile());
+    }
+    else
+    {
+        // For pictures that begin with the initial grains
+        writeCloud();
     }
 }
 
@@ -186,10 +187,23 @@ Foam::grainDynamics<D>::contacts() const
             c.first, max(label(c.second), label(-1)),
             space().positionInSpace(c.point), space().toSpace(c.normal),
             space().toSpace(c.force), c.gap,
-            heat_ ? heat_->flow(c, grains()) : 0
+            heat_ ? heat_->flow(c, grains()) : 0,
+            c.second < 0 ? properties_.walls().entry()[~c.second] : -1
         });
     }
     return result;
+}
+
+
+template<int D>
+Foam::wordList Foam::grainDynamics<D>::wallNames() const
+{
+    wordList names;
+    for (const wallExtent& wall : properties_.walls().extents())
+    {
+        names.append(wall.name);
+    }
+    return names;
 }
 
 

@@ -5,14 +5,17 @@
 
 #include "grainDynamics.H"
 
+#include "caseDirectories.H"
+#include "grainState.H"
 #include "OSspecific.H"
 #include "Pstream.H"
+
+#include <algorithm>
 
 template<int D>
 Foam::fileName Foam::grainDynamics<D>::stateFile() const
 {
-    const Time& runTime = mesh().time();
-    return runTime.globalPath()/runTime.timeName()/"grains.h5";
+    return grainStateFile(mesh().time());
 }
 
 
@@ -99,12 +102,18 @@ void Foam::grainDynamics<D>::purge() const
 
     // The fields of the ranks have been purged by Time, in their directories
     const fileName casePath(runTime.globalPath());
-    for (const instant& time : Time::findTimes(casePath))
+    const fileNameList processors(processorDirectories(casePath));
+    for (const word& time : timesOnDisc(casePath))
     {
-        const fileName timeDir(casePath/time.name());
+        const fileName timeDir(casePath/time);
+        const bool hasFields = std::any_of
+        (
+            processors.begin(), processors.end(),
+            [&](const fileName& dir) { return isDir(dir/time); }
+        );
         if
         (
-            !isDir(runTime.path()/time.name())
+            !hasFields
          && isFile(timeDir/"grains.h5", false)
          && readDir(timeDir, fileName::FILE).size()
          == (isFile(timeDir/"injections", false) ? 2 : 1)

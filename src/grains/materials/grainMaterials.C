@@ -47,7 +47,10 @@ Foam::grainMaterials::grainMaterials(const dictionary& dict)
 
 void Foam::grainMaterials::readContactLaws()
 {
-    table_ = nscd::ContactTable(names_.size());
+    table_ = nscd::ContactTable
+    (
+        std::vector<std::string>(names_.begin(), names_.end())
+    );
 
     const dictionary& laws = dictionaryInput::subDict(dict_, "contactLaws");
 

@@ -22,7 +22,10 @@ Foam::grainSources::csv<D>::csv
     grainSource<D>(dict, ctx),
     dict_(dict),
     file_(dictionaryInput::getAs<fileName>(dict, "file", "a table of grains")),
-    material_(ctx.materials.index(dict, "material"))
+    material_
+    (
+        dict.found("material") ? ctx.materials.index(dict, "material") : -1
+    )
 {
     dictionaryInput::checkKeywords
     (
@@ -72,7 +75,20 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
         }
     }
 
-    nscd::Grains<D> result(this->grains(centres, radii, material_));
+    const bool hasMaterials = table.found("material");
+    if (!hasMaterials && material_ < 0)
+    {
+        dictionaryInput::missing
+        (
+            dict_, "material",
+            "one of " + dictionaryInput::listed(materials.names())
+          + ", or a column 'material' of " + file_
+        );
+    }
+
+    // Lines may name others
+    const label material = max(material_, 0);
+    nscd::Grains<D> result(this->grains(centres, radii, material));
     for (label i = 0; i < table.size(); ++i)
     {
         const vector v(vectorOf("vx", "vy", "vz", i));
@@ -105,7 +121,7 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
             }
             result.shape[i] = shapei;
             result.mass[i] =
-                materials.density(material_)*space.volume(result, i);
+                materials.density(material)*space.volume(result, i);
         }
         if (table.found("qw"))
         {
@@ -120,7 +136,7 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
             result.orientation[i] = space.orientationFromSpace(q);
         }
 
-        if (table.found("material"))
+        if (hasMaterials)
         {
             const label m = materials.names().find(table.text("material", i));
             if (m < 0)
@@ -130,7 +146,7 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
                     "material", i, dictionaryInput::listed(materials.names())
                 );
             }
-            result.mass[i] *= materials.density(m)/materials.density(material_);
+            result.mass[i] *= materials.density(m)/materials.density(material);
             result.material[i] = m;
         }
     }

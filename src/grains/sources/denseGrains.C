@@ -53,6 +53,14 @@ nscd::Grains<D> Foam::grainSources::dense<D>::read() const
 {
     try
     {
+        const nscd::SizeDistribution sizes(distribution_->sizes(D));
+        const scalar median = sizes(0.5);
+        this->announce
+        (
+            dict_, "distribution",
+            solidFraction_*box_.volume()
+           /(D == 2 ? 3.14*sqr(median) : 4.19*pow3(median))
+        );
         const std::vector<double> radii = nscd::drawRadii<D>
         (
             distribution_->sizes(D), box_, solidFraction_, this->seed_

@@ -21,6 +21,15 @@ template<int D>
 Foam::grainSource<D>::grainSource(const dictionary& dict, const context& ctx)
 :
     context_(ctx),
+    region_
+    (
+        dict.found("region")
+      ? grainRegion<D>::New
+        (
+            dictionaryInput::subDict(dict, "region"), ctx.space
+        )
+      : autoPtr<grainRegion<D>>()
+    ),
     shape_(ctx.shapes.index(dict)),
     seed_(dictionaryInput::getLabelOrDefault(dict, "seed", 1, 0)),
     temperature_
@@ -74,7 +83,66 @@ void Foam::grainSource<D>::requireSome
         dictionaryInput::badValue
         (
             dict, "radius", Foam::name(radius),
-            "a radius with which at least one grain fits into 'box'"
+            "a radius with which at least one grain fits into 'box', and into"
+            " 'region' and between the grains of other sources"
+        );
+    }
+}
+
+
+template<int D>
+bool Foam::grainSource<D>::accepts
+(
+    const nscd::Vector<D>& x,
+    const scalar radius
+) const
+{
+    // What would fill a region exactly is not lost to round-off
+    const scalar r = (1 - 1e-9)*radius;
+    return
+        (!context_.isFree || context_.isFree(x, r))
+     && (!region_ || region_->holds(x, r));
+}
+
+
+template<int D>
+nscd::Vectors<D> Foam::grainSource<D>::accepted
+(
+    const nscd::Vectors<D>& centres,
+    const scalar radius
+) const
+{
+    nscd::Vectors<D> result;
+    for (const nscd::Vector<D>& x : centres)
+    {
+        if (accepts(x, radius))
+        {
+            result.push_back(x);
+        }
+    }
+    return result;
+}
+
+
+template<int D>
+void Foam::grainSource<D>::announce
+(
+    const dictionary& dict,
+    const word& keyword,
+    const scalar number
+)
+{
+    // Of half a kilobyte each
+    constexpr scalar most = 1e8;
+
+    Info<< "Source " << dict.dictName() << ": about " << std::round(number)
+        << " grains" << endl;
+    if (!(number <= most))
+    {
+        dictionaryInput::badValue
+        (
+            dict, keyword, dictionaryInput::written(dict, keyword),
+            "one with which at most 1e8 grains are made"
         );
     }
 }

@@ -23,12 +23,19 @@ Foam::grainSources::hexagonal<D>::hexagonal
     radius_(dictionaryInput::getPositive(dict, "radius", dimLength)),
     material_(ctx.materials.index(dict, "material"))
 {
-    this->checkKeywords(dict, {"box", "radius", "gap"});
+    this->checkKeywords(dict, {"box", "radius", "gap", "region"});
 
     const scalar gap =
         dictionaryInput::getScalarOrDefault(dict, "gap", dimLength, 0, 0);
 
-    centres_ = nscd::hexagonal<D>(readBox(dict, ctx.space), radius_, gap);
+    // In the densest lattice a grain has this share of its spacing's cube
+    const scalar share = D == 2 ? std::sqrt(0.75) : std::sqrt(0.5);
+    const nscd::Box<D> box(readBox(dict, ctx.space));
+    this->announce
+    (
+        dict, "radius", box.volume()/(share*std::pow(2*radius_ + gap, D))
+    );
+    centres_ = this->accepted(nscd::hexagonal<D>(box, radius_, gap), radius_);
     this->requireSome(dict, radius_, centres_);
 }
 

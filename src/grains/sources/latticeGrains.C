@@ -23,13 +23,16 @@ Foam::grainSources::lattice<D>::lattice
     radius_(dictionaryInput::getPositive(dict, "radius", dimLength)),
     material_(ctx.materials.index(dict, "material"))
 {
-    this->checkKeywords(dict, {"box", "radius", "spacing"});
+    this->checkKeywords(dict, {"box", "radius", "spacing", "region"});
 
     const scalar spacing = dictionaryInput::getScalarOrDefault
     (
         dict, "spacing", dimLength, 2*radius_, 2*radius_
     );
-    centres_ = nscd::lattice<D>(readBox(dict, ctx.space), radius_, spacing);
+    const nscd::Box<D> box(readBox(dict, ctx.space));
+    this->announce(dict, "radius", box.volume()/std::pow(spacing, D));
+    centres_ =
+        this->accepted(nscd::lattice<D>(box, radius_, spacing), radius_);
     this->requireSome(dict, radius_, centres_);
 }
 

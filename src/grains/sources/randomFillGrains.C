@@ -34,13 +34,14 @@ Foam::grainSources::randomFill<D>::randomFill
     ),
     material_(ctx.materials.index(dict, "material"))
 {
-    this->checkKeywords(dict, {"box", "number", "minRadius", "maxRadius"});
+    this->checkKeywords(dict, {"box", "number", "minRadius", "maxRadius", "region"});
 }
 
 
 template<int D>
 nscd::Grains<D> Foam::grainSources::randomFill<D>::read() const
 {
+    this->announce(dict_, "number", number_);
     nscd::Random random(this->seed_);
     std::vector<double> radii;
     for (label i = 0; i < number_; ++i)
@@ -51,7 +52,16 @@ nscd::Grains<D> Foam::grainSources::randomFill<D>::read() const
     {
         return this->grains
         (
-            nscd::randomFill<D>(box_, radii, this->seed_), radii, material_
+            nscd::randomFill<D>
+            (
+                box_, radii, this->seed_, 10000,
+                [&](const nscd::Vector<D>& x, const double radius)
+                {
+                    return this->accepts(x, radius);
+                }
+            ),
+            radii,
+            material_
         );
     }
     catch (const std::exception& err)

@@ -5,12 +5,22 @@
 
 #include "settledGrains.H"
 
+#include "clockTime.H"
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
 #include "grainWalls.H"
 #include "nscd/packing/Packing.hpp"
 
 addToSelection(grainSource, grainSources, settled)
+
+namespace
+{
+
+// Of real time [s]
+constexpr Foam::scalar betweenReports = 1;
+
+}
+
 
 template<int D>
 Foam::grainSources::settled<D>::settled
@@ -52,6 +62,11 @@ nscd::Grains<D> Foam::grainSources::settled<D>::atRest
     nscd::Settings contact(this->context_.contact);
     contact.maxSweeps = std::max(contact.maxSweeps, 1000);
 
+    const clockTime clock;
+    scalar lastReport = 0;
+    Info<< "Settling " << label(grains.size()) << " grains, at most "
+        << maxTime_ << " s" << endl;
+
     nscd::Settled<D> result = nscd::settle<D>
     (
         nscd::ContactDynamics<D>
@@ -66,7 +81,18 @@ nscd::Grains<D> Foam::grainSources::settled<D>::atRest
         this->context_.space.fromSpace(this->context_.g),
         deltaT_,
         maxSpeed_,
-        maxTime_
+        maxTime_,
+        [&](const scalar time, const scalar fastest)
+        {
+            const scalar worked = clock.elapsedTime();
+            if (worked > lastReport + betweenReports)
+            {
+                lastReport = worked;
+                Info<< "    " << time << " s: the fastest moves at " << fastest
+                    << " m/s, after " << worked << " s of work"
+                    << endl;
+            }
+        }
     );
 
     if (!result.atRest)

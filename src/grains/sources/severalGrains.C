@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "nscd/shape/Append.hpp"
+#include "occupiedSpace.H"
 
 #include <numeric>
 
@@ -20,7 +21,8 @@ Foam::grainSources::several<D>::several
     const typename grainSource<D>::context& ctx
 )
 :
-    grainSource<D>(dict, ctx)
+    grainSource<D>(dict, ctx),
+    dict_(dict)
 {
     dictionaryInput::checkKeywords(dict, {"type", "sources", "output"});
 
@@ -32,23 +34,39 @@ Foam::grainSources::several<D>::several
             dict, "sources", "{}", "at least one sub-dictionary"
         );
     }
-    for (const word& name : sources.toc())
-    {
-        sources_.append
-        (
-            grainSource<D>::New(dictionaryInput::subDict(sources, name), ctx)
-        );
-    }
 }
 
 
 template<int D>
 nscd::Grains<D> Foam::grainSources::several<D>::read() const
 {
-    nscd::Grains<D> all(sources_[0].read());
-    for (label i = 1; i < sources_.size(); ++i)
+    const dictionary& sources = dict_.subDict("sources");
+    nscd::Grains<D> all;
+    bool isFirst = true;
+    for (const word& name : sources.toc())
     {
-        nscd::append(all, sources_[i].read());
+        const occupiedSpace<D> occupied(all, this->context_.contact.period);
+        typename grainSource<D>::context ctx(this->context_);
+        ctx.isFree = [&](const nscd::Vector<D>& x, const scalar radius)
+        {
+            return occupied.isFree(x, radius);
+        };
+        nscd::Grains<D> more
+        (
+            grainSource<D>::New
+            (
+                dictionaryInput::subDict(sources, name), ctx
+            )->read()
+        );
+        if (isFirst)
+        {
+            all = std::move(more);
+            isFirst = false;
+        }
+        else
+        {
+            nscd::append(all, more);
+        }
     }
     std::iota(all.id.begin(), all.id.end(), 0);
     return all;

@@ -59,6 +59,7 @@ Foam::grainWalls<D>::grainWalls
             plane.material = material;
             plane.body = body;
             planes.push_back(plane);
+            extents_.push_back({name, 1, boundBox()});
             continue;
         }
 
@@ -75,12 +76,21 @@ Foam::grainWalls<D>::grainWalls
         {
             dictionaryInput::checkKeywords
             (
-                wall, {"type", "file", "material", "motion", "temperature"}
+                wall,
+                {
+                    "type", "file", "scale", "material", "motion",
+                    "temperature"
+                }
             );
             own = wallPieces::ofSurface(wall, space);
         }
+        extents_.push_back({name, label(own.size()), boundBox()});
         for (wallPiece<D>& piece : own)
         {
+            for (const nscd::Vector<D>& x : wallPieces::corners(piece))
+            {
+                extents_.back().bounds.add(space.positionInSpace(x));
+            }
             piece.material = material;
             piece.body = body;
             pieces.push_back(piece);
@@ -107,17 +117,20 @@ Foam::label Foam::grainWalls<D>::kind
     const grainMaterials& materials
 )
 {
-    const label material = materials.index(wall, "material");
-    if (!wall.found("temperature"))
+    label heated = -1;
+    if (wall.found("temperature"))
     {
-        return material;
+        heated = heatedNames_.size();
+        heatedNames_.append(wall.dictName());
+        temperatures_.append
+        (
+            dictionaryInput::getPositive(wall, "temperature", dimTemperature)
+        );
     }
-    heatedNames_.append(wall.dictName());
-    temperatures_.append
-    (
-        dictionaryInput::getPositive(wall, "temperature", dimTemperature)
-    );
-    return material + materials.names().size()*heatedNames_.size();
+    const label entry = heatedOfEntry_.size();
+    heatedOfEntry_.append(heated);
+    return
+        materials.index(wall, "material") + materials.names().size()*entry;
 }
 
 
@@ -127,7 +140,8 @@ void Foam::grainWalls<D>::separateKinds(const label nMaterials)
     for (auto& wall : walls_)
     {
         const label kind = nscd::materialOf(wall);
-        heated_.append(kind/nMaterials - 1);
+        entry_.append(kind/nMaterials);
+        heated_.append(heatedOfEntry_[entry_.last()]);
         nscd::setMaterial(wall, kind % nMaterials);
     }
 }

@@ -9,7 +9,7 @@ Description
 #include "wallPieces.H"
 
 #include "dictionaryInput.H"
-#include "triSurface.H"
+#include "wallSurface.H"
 
 Foam::wallPieceList<3> Foam::wallPieces::ofPatches
 (
@@ -48,7 +48,7 @@ Foam::wallPieceList<3> Foam::wallPieces::ofSurface
 )
 {
     const fileName file(surfaceFile(dict, space.mesh().time()));
-    const triSurface surface(file);
+    const triSurface surface(readWallSurface(dict, file));
 
     wallPieceList<3> result;
     for (const labelledTri& tri : surface)

@@ -14,6 +14,8 @@
 #include "Time.H"
 #include "wordRes.H"
 
+#include <algorithm>
+
 Foam::labelList Foam::wallPieces::selectedPatches
 (
     const dictionary& dict,
@@ -33,7 +35,13 @@ Foam::labelList Foam::wallPieces::selectedPatches
 
     for (const wordRe& name : names)
     {
-        if (findMatchingStrings(wordRes({name}), patches.names()).empty())
+        const wordList all(patches.names());
+        const bool isThere = std::any_of
+        (
+            all.begin(), all.end(),
+            [&](const word& patch) { return name.match(patch); }
+        );
+        if (!isThere)
         {
             dictionaryInput::badValue
             (

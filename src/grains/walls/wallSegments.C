@@ -9,7 +9,7 @@ Description
 #include "wallPieces.H"
 
 #include "dictionaryInput.H"
-#include "triSurface.H"
+#include "wallSurface.H"
 
 namespace
 {
@@ -78,7 +78,7 @@ Foam::wallPieceList<2> Foam::wallPieces::ofSurface
 )
 {
     const fileName file(surfaceFile(dict, space.mesh().time()));
-    const triSurface surface(file);
+    const triSurface surface(readWallSurface(dict, file));
 
     DynamicList<ends> pieces;
     for (const labelledTri& tri : surface)

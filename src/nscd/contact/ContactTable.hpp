@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace nscd
@@ -37,6 +39,13 @@ public:
     {
     }
 
+    /// With names of the materials, which saved states hold: a state is continued with the materials of the same
+    /// names, whatever their order.
+    explicit ContactTable(std::vector<std::string> names) : ContactTable(static_cast<int>(names.size()))
+    {
+        names_ = std::move(names);
+    }
+
     void set(int a, int b, ContactParameters p)
     {
         at(a, b) = p;
@@ -50,11 +59,15 @@ public:
 
     int materials() const { return n_; }
 
+    /// Empty if they have none.
+    const std::vector<std::string>& names() const { return names_; }
+
 private:
     ContactParameters& at(int a, int b) { return table_[static_cast<std::size_t>(a) * n_ + b]; }
 
     int n_;
     std::vector<ContactParameters> table_;
+    std::vector<std::string> names_;
 };
 
 }  // namespace nscd

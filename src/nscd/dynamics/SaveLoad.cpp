@@ -7,6 +7,7 @@
 #include "nscd/dynamics/State.hpp"
 #include "nscd/dynamics/Validation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace nscd
@@ -43,6 +44,40 @@ void checkState(const State<D>& state, const ContactTable& table, const Settings
     }
 }
 
+/// Turn indices into the state's materials into indices into the table's, by their names.  States and tables without
+/// names have the same order.
+template <int D>
+void renumberMaterials(State<D>& state, const ContactTable& table, const std::string& file)
+{
+    const std::vector<std::string>& names = table.names();
+    if (state.materials.empty() || names.empty())
+    {
+        return;
+    }
+    for (std::size_t i = 0; i < state.grains.size(); ++i)
+    {
+        int& material = state.grains.material[i];
+        const std::string grain = file + ": grain " + std::to_string(state.grains.id[i]);
+        if (material < 0 || static_cast<std::size_t>(material) >= state.materials.size())
+        {
+            throw std::runtime_error(grain + " is of material " + std::to_string(material) + " of " +
+                                     std::to_string(state.materials.size()));
+        }
+        const std::string& name = state.materials[material];
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end())
+        {
+            std::string known;
+            for (const std::string& n : names)
+            {
+                known += ' ' + n;
+            }
+            throw std::runtime_error(grain + " is of the material " + name + ", which is none of" + known);
+        }
+        material = static_cast<int>(found - names.begin());
+    }
+}
+
 /// Run an action that may fail on some ranks only, and let all of them throw if it did.
 template <class Action>
 void together(const Communicator& communicator, const std::string& file, Action&& action)
@@ -71,6 +106,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     State<D> state;
     state.time = time;
     state.grains = grains_;
+    state.materials = table_.names();
     state.contactImpulse = contactImpulse_;
     state.contactSpinImpulse = contactSpinImpulse_;
     state.lastTimeStep = lastTimeStep_;
@@ -113,6 +149,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
              [&]
              {
                  state = readState<D>(file);
+                 renumberMaterials(state, table_, file);
                  checkState(state, table_, settings_, walls_.size(), wallBodies_.size(), file);
              });
     grains_ = std::move(state.grains);

@@ -7,6 +7,7 @@
 #include "nscd/io/ReplaceFile.hpp"
 #include "nscd/shape/Members.hpp"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace nscd
@@ -124,6 +125,27 @@ Tangent<D> tangentAt(const Table<double>& table, std::size_t row)
     {
         return {t[0], t[1], t[2]};
     }
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string lines;
+    for (const std::string& name : names)
+    {
+        lines += (lines.empty() ? "" : "\n") + name;
+    }
+    return lines;
+}
+
+std::vector<std::string> lines(const std::string& text)
+{
+    std::vector<std::string> result;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+    {
+        result.push_back(line);
+    }
+    return result;
 }
 
 template <int D>
@@ -302,6 +324,10 @@ void writeState(const std::string& file, const State<D>& s)
     out.writeAttribute("lastTimeStep", s.lastTimeStep);
     out.writeAttribute("lastSubStep", s.lastSubStep);
     out.writeAttribute("candidateSkin", s.candidateSkin);
+    if (!s.materials.empty())
+    {
+        out.writeAttribute("materials", joined(s.materials));
+    }
     out.write("id", toColumn<std::int64_t>(s.grains.id), "1");
     out.write("position", toTable(s.grains.position), "m");
     out.write("velocity", toTable(s.grains.velocity), "m/s");
@@ -370,6 +396,10 @@ State<D> readState(const std::string& file)
     s.grains.mass = column("mass");
     const std::vector<std::int64_t> material = integers("material");
     s.grains.material.assign(material.begin(), material.end());
+    if (in.hasAttribute("materials"))
+    {
+        s.materials = lines(in.readText("materials"));
+    }
     s.grains.temperature = column("temperature");
     s.contactImpulse = vectors("contactImpulse");
     s.contactSpinImpulse = spins("contactSpinImpulse");

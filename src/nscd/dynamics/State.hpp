@@ -18,6 +18,9 @@ struct State
 {
     double time = 0;
     Grains<D> grains;
+
+    /// Names of the materials, without line breaks; none in states of materials without names.
+    std::vector<std::string> materials;
     Vectors<D> contactImpulse;
     Spins<D> contactSpinImpulse;
     double lastTimeStep = 0, lastSubStep = 0;

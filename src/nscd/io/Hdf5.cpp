@@ -11,6 +11,10 @@ namespace nscd
 namespace
 {
 
+/// Files are closed here.  One that could not be written, as on a full disc, is still open to HDF5, whose own attempt
+/// to close it when the program ends would crash.
+const herr_t closesNothingAtExit = H5dont_atexit();
+
 template <class T>
 hid_t nativeType();
 
@@ -187,6 +191,11 @@ void Hdf5File::writeAttribute(const std::string& name, const std::string& text)
     const Hdf5Handle attribute(
         check(H5Acreate2(file_, name.c_str(), type, scalar, H5P_DEFAULT, H5P_DEFAULT), action), H5Aclose);
     check(H5Awrite(attribute, type, text.c_str()), action);
+}
+
+bool Hdf5File::hasAttribute(const std::string& name) const
+{
+    return H5Aexists(file_, name.c_str()) > 0;
 }
 
 double Hdf5File::readNumber(const std::string& name) const

@@ -76,6 +76,7 @@ public:
 
     void writeAttribute(const std::string& name, double value);
     void writeAttribute(const std::string& name, const std::string& text);
+    bool hasAttribute(const std::string& name) const;
     double readNumber(const std::string& name) const;
     std::string readText(const std::string& name) const;
 

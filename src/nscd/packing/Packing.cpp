@@ -121,7 +121,8 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap)
 }
 
 template <int D>
-Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime)
+Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime,
+                  const std::function<void(double, double)>& report)
 {
     if (!isPositive(atRest))
     {
@@ -154,6 +155,10 @@ Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double 
     {
         settled.maxVelocity = dynamics.step(weight, noTorque, dt).maxVelocity;
         settled.time = static_cast<double>(step) * dt;
+        if (report)
+        {
+            report(settled.time, settled.maxVelocity);
+        }
         moved = settled.maxVelocity > atRest ? settled.time : moved;
         settled.atRest = settled.maxVelocity <= atRest && settled.time - moved >= rest;
     }
@@ -167,7 +172,9 @@ template Vectors<2> lattice<2>(const Box<2>&, double, double);
 template Vectors<3> lattice<3>(const Box<3>&, double, double);
 template Vectors<2> hexagonal<2>(const Box<2>&, double, double);
 template Vectors<3> hexagonal<3>(const Box<3>&, double, double);
-template Settled<2> settle<2>(ContactDynamics<2>, const Vector<2>&, double, double, double);
-template Settled<3> settle<3>(ContactDynamics<3>, const Vector<3>&, double, double, double);
+template Settled<2> settle<2>(ContactDynamics<2>, const Vector<2>&, double, double, double,
+                              const std::function<void(double, double)>&);
+template Settled<3> settle<3>(ContactDynamics<3>, const Vector<3>&, double, double, double,
+                              const std::function<void(double, double)>&);
 
 }  // namespace nscd

@@ -5,6 +5,8 @@
 
 #include "nscd/dynamics/ContactDynamics.hpp"
 
+#include <functional>
+
 namespace nscd
 {
 
@@ -13,6 +15,9 @@ template <int D>
 struct Box
 {
     Vector<D> lower, upper;
+
+    /// [m^D]
+    double volume() const { return (upper - lower).prod(); }
 };
 
 /// Throws std::invalid_argument unless lower < upper along every axis.
@@ -33,9 +38,11 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap = 0);
 /// Random sequential insertion without overlaps: centres of grains with the given radii [m], entry by entry, the
 /// largest placed first.  The same for a seed on every platform.  Throws std::invalid_argument for an empty box,
 /// radii <= 0 or a grain wider than the box, and std::runtime_error when a grain finds no place in maxTries draws
-/// (the solid fraction that can be reached is about 0.54 in 2-D and 0.38 in 3-D for equal grains).
+/// (the solid fraction that can be reached is about 0.54 in 2-D and 0.38 in 3-D for equal grains).  A grain of a centre
+/// and radius that 'accepts' is there for and returns false tries another place.
 template <int D>
-Vectors<D> randomFill(const Box<D>& box, const std::vector<double>& radii, std::uint64_t seed, int maxTries = 10000);
+Vectors<D> randomFill(const Box<D>& box, const std::vector<double>& radii, std::uint64_t seed, int maxTries = 10000,
+                      const std::function<bool(const Vector<D>&, double)>& accepts = nullptr);
 
 /// What settle() reached.
 template <int D>
@@ -49,8 +56,10 @@ struct Settled
 
 /// Let dry grains fall under gravity [m/s^2] until none has been faster than 'atRest' [m/s] for five times the time
 /// in which it would fall by a mean radius, or until 'maxTime' [s], in steps of dt [s].  So long because a grain on top
-/// of its way, or one that begins to tip over another, is slow too.  Throws std::invalid_argument.
+/// of its way, or one that begins to tip over another, is slow too.  After every step 'report' is told the time [s] and
+/// the velocity of the fastest [m/s].  Throws std::invalid_argument.
 template <int D>
-Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime);
+Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime,
+                  const std::function<void(double, double)>& report = nullptr);
 
 }  // namespace nscd

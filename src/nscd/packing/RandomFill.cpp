@@ -123,7 +123,8 @@ void check(const Box<D>& box, const std::vector<double>& radii, int maxTries)
 }  // namespace
 
 template <int D>
-Vectors<D> randomFill(const Box<D>& box, const std::vector<double>& radii, std::uint64_t seed, int maxTries)
+Vectors<D> randomFill(const Box<D>& box, const std::vector<double>& radii, std::uint64_t seed, int maxTries,
+                      const std::function<bool(const Vector<D>&, double)>& accepts)
 {
     check<D>(box, radii, maxTries);
     std::vector<std::size_t> largestFirst(radii.size());
@@ -154,13 +155,15 @@ Vectors<D> randomFill(const Box<D>& box, const std::vector<double>& radii, std::
             {
                 x[d] = random.uniform(box.lower[d] + radius, box.upper[d] - radius);
             }
-        } while (!placed.isFree(x, radius));
+        } while (!placed.isFree(x, radius) || (accepts && !accepts(x, radius)));
         placed.add(x, radius);
     }
     return centres;
 }
 
-template Vectors<2> randomFill<2>(const Box<2>&, const std::vector<double>&, std::uint64_t, int);
-template Vectors<3> randomFill<3>(const Box<3>&, const std::vector<double>&, std::uint64_t, int);
+template Vectors<2> randomFill<2>(const Box<2>&, const std::vector<double>&, std::uint64_t, int,
+                                      const std::function<bool(const Vector<2>&, double)>&);
+template Vectors<3> randomFill<3>(const Box<3>&, const std::vector<double>&, std::uint64_t, int,
+                                      const std::function<bool(const Vector<3>&, double)>&);
 
 }  // namespace nscd

@@ -6,6 +6,7 @@
 #include "singleFluid.H"
 
 #include "dictionaryInput.H"
+#include "fluidInput.H"
 #include "HeleShaw.H"
 
 namespace
@@ -54,20 +55,7 @@ Foam::singleFluid::singleFluid
     ),
     plates_("plates", dimless/dimArea, HeleShawPlates(properties_))
 {
-    const word model
-    (
-        properties_.getOrDefault<word>("transportModel", Newtonian)
-    );
-    if (model == Newtonian)
-    {
-        nu();
-    }
-    wordList allowed({"rho", "transportModel", "HeleShaw", "scalars", model + "Coeffs"});
-    if (model == Newtonian)
-    {
-        allowed.append("nu");
-    }
-    dictionaryInput::checkKeywords(properties_, allowed);
+    checkTransportProperties(properties_);
     if (properties_.found("transportModel"))
     {
         model_.reset(new singlePhaseTransportModel(U, phiU));
@@ -84,7 +72,7 @@ Foam::dimensionedScalar Foam::singleFluid::nu() const
         dimViscosity,
         dictionaryInput::getPositive
         (
-            properties_.optionalSubDict(Newtonian + "Coeffs"), "nu", dimViscosity
+            properties_.optionalSubDict("NewtonianCoeffs"), "nu", dimViscosity
         )
     );
 }
@@ -128,7 +116,7 @@ Foam::singlePhaseTransportModel& Foam::singleFluid::transport()
     {
         FatalIOErrorInFunction(properties_)
             << "Keyword 'transportModel' is missing: turbulence models need it"
-            << nl << "    allowed: transportModel " << Newtonian << ';'
+            << nl << "    allowed: transportModel Newtonian;"
             << exit(FatalIOError);
     }
     return *model_;

@@ -120,9 +120,43 @@ TEST(DragLaw, IsSelectedByName)
 TEST(DragLaw, OfDiscsIsForTwoDimensions)
 {
     const dictionary disc(foamTest::dict("type DallavalleDiFelice; shape disc;"));
-    EXPECT_TRUE(dragLaw::New(disc, 2)->isOfDiscs());
+    EXPECT_NO_THROW(dragLaw::New(disc, 2));
     EXPECT_FOAM_ERROR(dragLaw::New(disc, 3), "allowed: sphere");
-    EXPECT_FALSE(dragLaw::New(foamTest::dict("type Stokes;"), 2)->isOfDiscs());
+}
+
+
+TEST(DragLaw, IsByDefaultOfTheShapeOfTheGrains)
+{
+    const auto gamma = [](const char* shape, const label nDimensions)
+    {
+        const dictionary dict(foamTest::dict(std::string("type DallavalleDiFelice; ") + shape));
+        return dragLaw::New(dict, nDimensions)->gamma(0.6, 0.1, d, rho, mu);
+    };
+    EXPECT_EQ(gamma("", 2), gamma("shape disc;", 2));
+    EXPECT_EQ(gamma("", 3), gamma("shape sphere;", 3));
+    EXPECT_NE(gamma("", 2), gamma("", 3));
+    EXPECT_EQ(gamma("shape sphere;", 2), gamma("shape sphere;", 3));
+}
+
+
+TEST(DragLaw, OfSpheresIsForDiscsOnlyIfAskedFor)
+{
+    for (const char* law : {"Beetstra", "DiFelice", "ErgunWenYu", "KochHill", "Rong",
+        "SchillerNaumann", "Stokes", "thesisPrinted"})
+    {
+        const std::string type(std::string("type ") + law + "; ");
+        const auto make = [&](const char* shape, const label nDimensions)
+        {
+            return dragLaw::New(foamTest::dict(type + shape), nDimensions);
+        };
+        EXPECT_NO_THROW(make("", 3));
+        EXPECT_NO_THROW(make("shape sphere;", 3));
+        EXPECT_NO_THROW(make("shape sphere;", 2));
+        EXPECT_FOAM_ERROR(make("", 2), std::string("'type' has the value ") + law);
+        EXPECT_FOAM_ERROR(make("", 2), "shape sphere;");
+        EXPECT_FOAM_ERROR(make("shape disc;", 2), law);
+        EXPECT_FOAM_ERROR(make("shape disc;", 3), "'shape' has the value disc");
+    }
 }
 
 

@@ -127,6 +127,6 @@ TEST(DragOfSpheres, RefusesWhatItDoesNotKnow)
 {
     EXPECT_FOAM_ERROR
     (
-        dragLaw::New(foamTest::dict("type Beetstra; shape sphere;"), 3), "shape"
+        dragLaw::New(foamTest::dict("type Beetstra; form sphere;"), 3), "form"
     );
 }

@@ -7,6 +7,9 @@
 
 #include "csvTable.H"
 #include "dictionaryInput.H"
+#include "fluidInput.H"
+#include "IFstream.H"
+#include "userNames.H"
 
 using namespace Foam;
 
@@ -158,4 +161,105 @@ TEST(DictionaryInput, ReadsWordsThatAreAllowed)
     EXPECT_FOAM_ERROR(getWord(dict, "list", allowed), "'list' has the value ( one two )");
     EXPECT_FOAM_ERROR(getWord(dict, "sub", allowed), "'sub' has the value { ... }");
     EXPECT_FOAM_ERROR(getWordOrDefault(dict, "n", "one", allowed), "allowed: (one two)");
+}
+
+
+TEST(FluidInput, RefusesWhatTheSolverWouldPassOver)
+{
+    const dictionary good(foamTest::dict("FoamFile {} rho 1; nu 1; HeleShaw { gap 1; }"));
+    EXPECT_NO_THROW(checkTransportProperties(good));
+    const dictionary bad(foamTest::dict("rho 1; nu 1; HeleShow { gap 1; }"));
+    EXPECT_FOAM_ERROR(checkTransportProperties(bad), "Unknown keyword 'HeleShow'");
+    EXPECT_FOAM_ERROR(checkTransportProperties(bad), "HeleShaw");
+    EXPECT_FOAM_ERROR(checkTransportProperties(foamTest::dict("rho 1;")), "'nu'");
+
+    const std::string model("rho 1; transportModel powerLaw; powerLawCoeffs { k 1; }");
+    EXPECT_NO_THROW(checkTransportProperties(foamTest::dict(model)));
+    EXPECT_FOAM_ERROR(checkTransportProperties(foamTest::dict(model + " nu 1;")), "'nu'");
+}
+
+
+TEST(FluidInput, RefusesAFluidThatStandsStill)
+{
+    const auto check = [](const std::string& text, const wordList& others = wordList())
+    {
+        checkPISO(foamTest::dict(text), others);
+    };
+    EXPECT_NO_THROW(check("PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; }"));
+    EXPECT_NO_THROW(check("PISO {}"));
+    EXPECT_NO_THROW(check("PISO { nOuterCorrectors 3; }", {"nOuterCorrectors"}));
+    EXPECT_FOAM_ERROR(check("PISO { nCorrectors 0; }"), "'nCorrectors' has the value 0");
+    EXPECT_FOAM_ERROR(check("PISO { nCorrectors 0; }"), "a value >= 1");
+    EXPECT_FOAM_ERROR(check("PISO { nNonOrthogonalCorrectors -1; }"), "a value >= 0");
+    EXPECT_FOAM_ERROR(check("PISO { nCorrector 2; }"), "Unknown keyword 'nCorrector'");
+    EXPECT_FOAM_ERROR(check("PISO { nOuterCorrectors 3; }"), "'nOuterCorrectors'");
+    EXPECT_FOAM_ERROR(check("PIS0 { nCorrectors 2; }"), "'PISO' is missing");
+}
+
+
+TEST(FluidInput, RefusesFilesOfOtherSolversByName)
+{
+    foamTest::emptyCase one;
+    EXPECT_NO_THROW(refuseFiles(one.time(), {"MRFProperties"}));
+    one.writeFile("constant/MRFProperties", "zone {}");
+    EXPECT_FOAM_ERROR(refuseFiles(one.time(), {"MRFProperties"}), "constant/MRFProperties");
+    EXPECT_NO_THROW(refuseFiles(one.time(), {"dynamicMeshDict"}));
+}
+
+
+TEST(UserNames, EditsAreCounted)
+{
+    using dictionaryInput::editDistance;
+    EXPECT_EQ(editDistance("tolerance", "tolerance"), 0);
+    EXPECT_EQ(editDistance("tolerance", "tolerence"), 1);
+    EXPECT_EQ(editDistance("HeleShaw", "HelShow"), 2);
+    EXPECT_EQ(editDistance("", "nu"), 2);
+    EXPECT_EQ(editDistance("nu", ""), 2);
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3);
+}
+
+
+TEST(UserNames, ValuesMayHaveNames)
+{
+    foamTest::emptyCase one;
+    const auto check = [&](const std::string& text)
+    {
+        one.writeFile("constant/d", text);
+        const dictionary dict((IFstream(one.path()/"constant/d"))());
+        dictionaryInput::checkKeywords(dict, {"tolerance", "sub", "a"});
+        if (dict.found("sub"))
+        {
+            dictionaryInput::checkKeywords(dict.subDict("sub"), {"tolerance"});
+        }
+    };
+    EXPECT_NO_THROW(check("mytol 1e-6; tolerance $mytol;"));
+    EXPECT_NO_THROW(check("mytol 1e-6; tolerance ${mytol};"));
+    EXPECT_NO_THROW(check("mytol 1e-6; sub { tolerance $:mytol; }"));
+    EXPECT_NO_THROW(check("sub { mytol 1e-6; tolerance $mytol; }"));
+    EXPECT_NO_THROW(check("mytol 1e-6; sub { tolerance $..mytol; }"));
+    EXPECT_NO_THROW(check("base { x 1e-6; } sub { tolerance $:base.x; }"));
+    EXPECT_NO_THROW(check("base { tolerance 1e-6; } sub { $base; }"));
+
+    EXPECT_FOAM_ERROR(check("mytol 1e-6; tolerance 1e-6;"), "Unknown keyword 'mytol'");
+    EXPECT_FOAM_ERROR(check("mytol 1; tolerance 1; // $mytol\n"), "'mytol'");
+    EXPECT_FOAM_ERROR(check("mytol 1; tolerance 1; /* $mytol */"), "'mytol'");
+    EXPECT_FOAM_ERROR(check("mytol 1; mytol2 2; tolerance $mytol2;"), "'mytol'");
+    EXPECT_FOAM_ERROR(check("tolerence 1;"), "$ uses");
+}
+
+
+TEST(UserNames, FilesOfParametersMayBeShared)
+{
+    foamTest::emptyCase one;
+    const auto check = [&](const std::string& parameters)
+    {
+        one.writeFile("constant/parameters", parameters);
+        one.writeFile("constant/d", "#include \"parameters\"\ntolerance $mytol;");
+        const dictionary dict((IFstream(one.path()/"constant/d"))());
+        dictionaryInput::checkKeywords(dict, {"tolerance", "maxSweeps"});
+    };
+    EXPECT_NO_THROW(check("mytol 1e-6;"));
+    EXPECT_NO_THROW(check("mytol 1e-6; inletVelocity 1; U 2;"));
+    EXPECT_NO_THROW(check("half 5e-7; mytol $half;"));
+    EXPECT_FOAM_ERROR(check("mytol 1e-6; maxSweep 200;"), "Unknown keyword 'maxSweep'");
 }

@@ -88,3 +88,26 @@ TEST(LiftLaw, RefusesWhatItDoesNotKnow)
     EXPECT_FOAM_ERROR(all("lift { a { type Magnus; coefficient 1; } }"), "'coefficient'");
     EXPECT_FOAM_ERROR(all("lift { type Magnus; }"), "'type'");
 }
+
+
+TEST(LiftLaw, OfSpheresIsForDiscsOnlyIfAskedFor)
+{
+    const auto all = [](const char* shape, const char* lift)
+    {
+        const dictionary grains
+        (
+            foamTest::dict
+            (
+                std::string("shape ") + shape + "; coupling { lift { a { " + lift + " } } }"
+            )
+        );
+        return liftLaw::all(grains.subDict("coupling")).size();
+    };
+    for (const char* law : {"type Magnus;", "type SaffmanMei;"})
+    {
+        EXPECT_EQ(all("sphere", law), 1);
+        EXPECT_EQ(all("disc", (std::string(law) + " shape sphere;").c_str()), 1);
+        EXPECT_FOAM_ERROR(all("disc", law), "shape sphere;");
+        EXPECT_FOAM_ERROR(all("sphere", (std::string(law) + " shape disc;").c_str()), "'shape'");
+    }
+}

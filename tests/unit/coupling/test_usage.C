@@ -117,7 +117,8 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
             "SchillerNaumann", "Stokes", "thesisPrinted"
         })
     {
-        EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag"), 2));
+        const label nDimensions = std::string(name) == "DallavalleDiFelice" ? 2 : 3;
+        EXPECT_NO_THROW(dragLaw::New(example(name).subDict("drag"), nDimensions));
     }
 
     for (const char* name : {"Magnus", "SaffmanMei"})

@@ -242,6 +242,49 @@ TEST(Restart, ContactWithAnUnknownWallIsRefused)
     std::remove(file.c_str());
 }
 
+TEST(Restart, MaterialsAreThoseOfTheSameNames)
+{
+    Scene<2> scene;
+    scene.add({0, 1});
+    scene.add({3, 1});
+    scene.grains.material = {0, 1};
+    const std::string file = path("materials");
+    const auto saved = [&](nscd::ContactTable table)
+    {
+        scene.table = std::move(table);
+        scene.dynamics().save(file, 0);
+    };
+    const auto loaded = [&](nscd::ContactTable table)
+    {
+        Scene<2> other;
+        other.table = std::move(table);
+        auto dynamics = other.dynamics();
+        dynamics.load(file);
+        return dynamics.grains().material;
+    };
+    using Names = std::vector<std::string>;
+    using nscd::ContactTable;
+
+    saved(ContactTable(Names{"glass", "steel", "unused"}));
+    EXPECT_EQ(loaded(ContactTable(Names{"glass", "steel"})), (std::vector<int>{0, 1}));
+    EXPECT_EQ(loaded(ContactTable(Names{"gold", "steel", "glass"})), (std::vector<int>{2, 1}));
+    EXPECT_EQ(loaded(ContactTable(3)), (std::vector<int>{0, 1}));
+    try
+    {
+        loaded(ContactTable(Names{"gold", "glass"}));
+        FAIL();
+    }
+    catch (const std::runtime_error& error)
+    {
+        EXPECT_EQ(error.what(), file + ": grain 101 is of the material steel, which is none of gold glass");
+    }
+
+    // As states were before they had names
+    saved(ContactTable(2));
+    EXPECT_EQ(loaded(ContactTable(Names{"gold", "glass"})), (std::vector<int>{0, 1}));
+    std::remove(file.c_str());
+}
+
 TEST(Restart, UnwritablePlaceIsNamed)
 {
     const auto dynamics = agitated<2>(2, 0).dynamics();

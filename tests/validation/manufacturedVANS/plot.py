@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from grainresults import Results
 
+ERRORS = r"Error of U (\S+), of p (\S+), of T (\S+),"
 CELLS = [16, 32, 64]
 VARIANTS = {
     "A_0": "form A, steady eps",
@@ -21,7 +22,7 @@ def errors(variant):
     """Relative errors of U, p and T, (meshes, 3)."""
     logs = (Path(f"{variant}_{n}/log.manufacturedVANS").read_text() for n in CELLS)
     return np.array(
-        [re.search(r"Error of U (\S+), of p (\S+), of T (\S+),", log).groups() for log in logs], dtype=float
+        [re.search(ERRORS, log).groups() for log in logs], dtype=float
     )
 
 

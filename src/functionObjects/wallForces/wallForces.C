@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallForces.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryInput.H"
+#include "grainView.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(wallForces, 0);
+    addToRunTimeSelectionTable(functionObject, wallForces, dictionary);
+}
+}
+
+
+Foam::functionObjects::wallForces::wallForces
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict)
+{
+    read(dict);
+}
+
+
+bool Foam::functionObjects::wallForces::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+
+    dict_ = dict;
+    origin_ = dictionaryInput::getVectorOrZero(dict, "origin");
+
+    const auto* grainsPtr =
+        mesh_.cfindObject<grainView>(grainView::registryName);
+    if (grainsPtr)
+    {
+        findWalls(grainsPtr->wallNames());
+    }
+    return true;
+}
+
+
+void Foam::functionObjects::wallForces::findWalls(const wordList& all)
+{
+    names_ = all;
+    if (dict_.found("walls"))
+    {
+        names_ = dictionaryInput::getAs<wordList>
+        (
+            dict_, "walls", "a list of " + dictionaryInput::listed(all)
+        );
+    }
+    walls_.resize(names_.size());
+    forAll(names_, i)
+    {
+        walls_[i] = all.find(names_[i]);
+        if (walls_[i] < 0)
+        {
+            dictionaryInput::badValue
+            (
+                dict_, "walls", names_[i],
+                "entries of 'walls' of constant/grainProperties "
+              + dictionaryInput::listed(all)
+            );
+        }
+    }
+    files_.clear();
+}
+
+
+void Foam::functionObjects::wallForces::openFiles()
+{
+    const fileName dir
+    (
+        time_.globalPath()/"postProcessing"/name()
+       /Time::timeName(time_.startTime().value())
+    );
+    mkDir(dir);
+    for (const word& wall : names_)
+    {
+        files_.append(new OFstream(dir/wall + ".csv"));
+        files_.last().precision(12);
+        files_.last() << "time,contacts,fx,fy,fz,mx,my,mz" << nl;
+    }
+}
+
+
+bool Foam::functionObjects::wallForces::write()
+{
+    const grainView& grains = grainView::of(mesh_, name());
+    if (walls_.empty())
+    {
+        findWalls(grains.wallNames());
+    }
+    const std::vector<grainView::contact> contacts(grains.contacts());
+    if (!Pstream::master())
+    {
+        return true;
+    }
+    if (files_.empty())
+    {
+        openFiles();
+    }
+    forAll(walls_, i)
+    {
+        label number = 0;
+        vector force(Zero), moment(Zero);
+        for (const grainView::contact& c : contacts)
+        {
+            if (c.wall == walls_[i])
+            {
+                ++number;
+                force += c.force;
+                moment += (c.place - origin_) ^ c.force;
+            }
+        }
+        files_[i]
+            << time_.timeName() << ',' << number
+            << ',' << force.x() << ',' << force.y() << ',' << force.z()
+            << ',' << moment.x() << ',' << moment.y() << ',' << moment.z()
+            << endl;
+    }
+    return true;
+}

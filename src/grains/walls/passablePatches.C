@@ -1,0 +1,65 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "passablePatches.H"
+
+#include "cyclicPolyPatch.H"
+#include "dictionaryInput.H"
+#include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "wallPieces.H"
+
+Foam::wordList Foam::passablePatches
+(
+    const dictionary& grainProperties,
+    const polyMesh& mesh
+)
+{
+    labelHashSet known;
+    for (const word& section : {"walls", "outlets", "injections"})
+    {
+        const dictionary& all = grainProperties.subOrEmptyDict(section);
+        for (const word& name : all.toc())
+        {
+            const dictionary& one = all.subDict(name);
+            if (one.get<word>("type") == "patches")
+            {
+                known.insert(wallPieces::selectedPatches(one, mesh));
+            }
+        }
+    }
+
+    DynamicList<word> names;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if
+        (
+            !known.found(patch.index())
+         && !isA<emptyPolyPatch>(patch)
+         && !isA<cyclicPolyPatch>(patch)
+         && !isA<processorPolyPatch>(patch)
+        )
+        {
+            names.append(patch.name());
+        }
+    }
+    return wordList(std::move(names));
+}
+
+
+void Foam::printPassablePatches
+(
+    const dictionary& grainProperties,
+    const polyMesh& mesh
+)
+{
+    const wordList names(passablePatches(grainProperties, mesh));
+    if (names.size())
+    {
+        Info<< "Patches " << dictionaryInput::listed(names).c_str() << " are neither walls nor"
+            << " outlets of grains: a grain that passes one is lost, which"
+            << " ends the run" << endl;
+    }
+}

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user should know is said, once, before or when it matters."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from dry_box import dry_box
+from grain_box import control, grain_box, replace
+
+GRAINS = "constant/grainProperties"
+
+
+def test_patches_that_grains_can_pass_are_listed(clone):
+    note = "are neither walls nor outlets of grains"
+    case = dry_box(clone, [(0.05, 0.05)], dimension=2)
+    control(case, endTime=0.002)
+    for program in ("checkGrains", "dryGrainFoam"):
+        case.run(program)
+        assert note not in case.log
+
+    replace(case, GRAINS, "(left right bottom top)", "(right bottom)")
+    for program in ("checkGrains", "dryGrainFoam"):
+        case.run(program)
+        assert case.log.count(f"Patches (left top) {note}") == 1
+
+    path = case.path / GRAINS
+    path.write_text(path.read_text() + "outlets { one { type patches; patches (top); } }\n")
+    case.run("checkGrains")
+    assert f"Patches (left) {note}" in case.log
+
+
+def test_courant_numbers_above_1_are_reported_once(clone):
+    case = grain_box(clone, [(0.05, 0.07)], velocity=[(0, -3)])
+    control(case, endTime=0.01, deltaT=1e-3)
+    case.run("grainFoam")
+    assert "--> FOAM Warning" not in case.log
+
+    # 10 mm cells: 15 m/s in 1 ms
+    case = grain_box(clone, [(0.05, 0.08)], velocity=[(0, -15)], name="fast")
+    control(case, endTime=0.003, deltaT=1e-3)
+    case.run("grainFoam")
+    assert case.log.count("(said once)") == 1
+    assert "1.5 of the grains after time 0" in case.log
+
+
+def test_users_own_programs_stay_in_front(tmp_path):
+    """etc/bashrc puts its programs into PATH, and not all others of the system, too."""
+    root = Path(__file__).resolve().parents[2]
+    mine = tmp_path / "bin"
+    mine.mkdir()
+    for name in ("python3", "git", "cmake"):
+        (mine / name).write_text("#!/bin/sh\n")
+        (mine / name).chmod(0o755)
+    clean = {"HOME": os.environ["HOME"], "PATH": f"{mine}:/usr/bin:/bin"}
+    for name in ("GRAINFOAM_CACHE", "XDG_CACHE_HOME"):
+        if name in os.environ:
+            clean[name] = os.environ[name]
+    programs = "python3 git cmake grainFoam blockMesh wmake"
+    script = f". {root}/etc/bashrc && for p in {programs}; do command -v $p; done"
+    done = subprocess.run(["bash", "-c", script], env=clean, capture_output=True, text=True)
+    if "run etc/install first" in done.stderr:
+        pytest.skip("another OpenFOAM is used here than that of etc/install")
+    found = done.stdout.split()
+    assert found[:3] == [str(mine / name) for name in ("python3", "git", "cmake")]
+    assert len(found) == 6
+    assert found[3].startswith(f"{root}/platforms/")
+
+
+def test_documented_dictionaries_run(clone):
+    """Time-step control, function objects, schemes and solvers of etc/caseDicts, in a case."""
+    root = Path(__file__).resolve().parents[2]
+    case = grain_box(clone, [(0.05, 0.03), (0.03, 0.05)])
+    for folder, names in {
+        "system": ("controlDict", "fvSchemes", "fvSolution"),
+        "constant": ("transportProperties",),
+    }.items():
+        for name in names:
+            text = (root / "etc/caseDicts" / name).read_text()
+            (case.path / folder / name).write_text(text)
+    case.run("checkGrains")
+    case.run("grainFoam")
+    assert case.times == ["0", "0.005", "0.01"]
+    written = {path.name for path in (case.path / "postProcessing").iterdir()}
+    assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "problems"} - (
+        set() if "problems" in written else {"problems"}
+    )
+    assert "maxGrainDisplacement" in case.log

@@ -46,6 +46,8 @@ struct StepReport
     std::size_t contacts = 0;     ///< contacts in the last contact problem (pairs that may touch within the step)
     std::size_t active = 0;       ///< contacts with a non-zero impulse after the last sub-step
     int subSteps = 0;
+    std::size_t impacts = 0;      ///< at contacts with restitution, of all ranks
+    std::size_t exhausted = 0;    ///< contacts that had so many impacts that those after them are plastic
     int sweeps = 0;               ///< passes over the contacts, summed over the sub-steps
     std::size_t solves = 0;       ///< local solutions, of all ranks
     bool converged = true;        ///< every sub-step reached the tolerance
@@ -54,7 +56,7 @@ struct StepReport
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
     double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
-                                  ///< would have moved; never positive without restitution or moving walls [J]
+                                  ///< would have moved; never positive without driven walls [J]
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };

@@ -131,14 +131,20 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 }
 
 template <int D>
-std::vector<ContactForce<D>> ContactProblem<D>::forces() const
+std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImpulse<D>>& impacts) const
 {
     std::vector<ContactForce<D>> result;
-    const auto add = [&](const Origin& origin, const Vector<D>& normal, const Vector<D>& impulse, double pressing)
+    auto impact = impacts.begin();
+    std::vector<int> placeOf(impacts.empty() ? 0 : candidates_.pairs().size(), -1);
+    const auto add = [&](std::size_t p, const Vector<D>& normal, double gap, const Vector<D>& impulse, double pressing)
     {
-        const Pair& pair = candidates_.pairs()[origin.pair];
-        const Vector<D> point = arrangement_.contactPoint(pair, {normal, origin.gap});
-        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, origin.gap, pressing / dt_});
+        const Pair& pair = candidates_.pairs()[p];
+        const Vector<D> point = arrangement_.contactPoint(pair, {normal, gap});
+        if (!placeOf.empty())
+        {
+            placeOf[p] = static_cast<int>(result.size());
+        }
+        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, gap, pressing / dt_});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
@@ -147,7 +153,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             const Contact<D>& c = contacts_[k];
             if (c.normalImpulse > 0)
             {
-                add(origin_[k], c.normal,
+                add(origin_[k].pair, c.normal, origin_[k].gap,
                     impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
             }
         }
@@ -156,9 +162,20 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             const LeveredContact<D>& c = levered_[k];
             if (c.impulse[0] > 0)
             {
-                add(leveredOrigin_[k], c.normal(),
+                add(leveredOrigin_[k].pair, c.normal(), leveredOrigin_[k].gap,
                     c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
             }
+        }
+        for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
+        {
+            if (placeOf[impact->pair] < 0)
+            {
+                add(impact->pair, impact->normal, impact->gap, impact->impulse, impact->pressing);
+                continue;
+            }
+            ContactForce<D>& force = result[placeOf[impact->pair]];
+            force.force += impact->impulse / dt_;
+            force.pressing += impact->pressing / dt_;
         }
     }
     return result;

@@ -5,6 +5,7 @@
 
 #include "nscd/ContactDynamics.hpp"
 #include "nscd/ContactProblem.hpp"
+#include "nscd/Impacts.hpp"
 #include "nscd/State.hpp"
 #include "nscd/Stopwatch.hpp"
 
@@ -71,6 +72,25 @@ private:
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(double dt);
 
+    /// Impacts of the sub-step: flights from one to the next until its end, with candidates that cover them.  Velocities
+    /// without contacts are those after them from then on.
+    void collide(double dt, StepReport& report);
+
+    /// Let bodies fly with their velocities without contacts and collide.  False, and nothing done, when there are no
+    /// impacts.  Collective.
+    bool fly(double dt);
+    void passWindow(double until);
+    void launch(double dt);
+
+    /// Are the flights within what the candidates cover?  Gives the longest way since they were listed [m].
+    bool flightsAreCovered(double dt, double& farthest) const;
+
+    /// Take over velocities and offsets of the flights.
+    void land(double dt);
+
+    /// Arrange bodies that had impacts where their flight would end (see BodyData).
+    void placeAtEnds(double dt);
+
     /// One pass of the chosen solver over all groups; its largest change is that of all ranks.  Collective.
     Change pass(double tolerance);
 
@@ -116,6 +136,9 @@ private:
     BodyData<D> data_;
     std::unique_ptr<Schedule<D>> schedule_;
     ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
+    Impacts<D> impacts_{arrangement_, candidates_, wallBodies_, data_};
+    std::vector<Flyer<D>> flyers_;
+    std::vector<Launch<D>> launches_;
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
     std::vector<Body<D>> bodies_;
     std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps

@@ -16,19 +16,6 @@ namespace
 /// disturbs the force network; it must happen more slowly than the sweeps restore it.
 constexpr double cautiousShare = 0.1;
 
-template <int D>
-Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
-{
-    if constexpr (D == 2)
-    {
-        return radius * spin[0];
-    }
-    else
-    {
-        return radius * spin;
-    }
-}
-
 }  // namespace
 
 template <int D>
@@ -36,6 +23,10 @@ void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
 {
     Stopwatch watch;
     updateCandidates(dt);
+    if (bounces_)
+    {
+        collide(dt, report);
+    }
     makeBodies(dt);
     problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
@@ -90,7 +81,7 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
     }
     else
     {
-        arrangement_.move(grains_, members_, candidates_);
+        arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
     }
     if (lastSubStep_ > 0 && dt != lastSubStep_)
     {
@@ -120,16 +111,11 @@ template <int D>
 void ContactDynamics<D>::Implementation::makeBodies(double dt)
 {
     bodies_.resize(grains_.size());
-    data_.before.resize(bounces_ ? grains_.size() : 0);
     data_.turning.resize(levered_ ? grains_.size() : 0);
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
         bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
-        if (bounces_)
-        {
-            data_.before[k] = {grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0};
-        }
         if (levered_)
         {
             data_.turning[k] = turningOf(grains_, static_cast<int>(i));
@@ -139,12 +125,9 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
     {
         if (isFree(wall))
         {
-            const Turning<D> turning{1, inSpace(wall.orientation, Spin<D>(wall.inertia.cwiseInverse()))};
-            const Spin<D> spin = wall.spin + dt * turning.inverse * wall.torque;
-            bodies_.push_back(
-                {wall.velocity + dt / wall.mass * wall.force, surfaceSpeed<D>(spin, 1), 1 / wall.mass});
-            data_.before.push_back({wall.velocity, surfaceSpeed<D>(wall.spin, 1), 0});
-            data_.turning.push_back(turning);
+            const FreeWall<D> free(wall, dt);
+            bodies_.push_back({free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass});
+            data_.turning.push_back(free.turning);
         }
     }
     bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The impacts of one group after another: when they happen and what they do.
+
+#include "nscd/Impacts.hpp"
+
+namespace nscd
+{
+
+template <int D>
+void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
+{
+    const std::size_t first = begin_[group], last = begin_[group + 1];
+    heap_.clear();
+    for (std::size_t k = first; k < last; ++k)
+    {
+        Item& item = items_[k];
+        if (item.seenI != flyers[item.i].impacts || item.seenJ != flyers[item.j].impacts)
+        {
+            predict(item, flyers);
+        }
+        if (item.time <= until)
+        {
+            heap_.push_back({item.time, k, item.version});
+        }
+    }
+    std::make_heap(heap_.begin(), heap_.end());
+    double& energy = energy_[candidates_.groups()[group].first];
+    while (!heap_.empty())
+    {
+        std::pop_heap(heap_.begin(), heap_.end());
+        const Event event = heap_.back();
+        heap_.pop_back();
+        Item& item = items_[event.item];
+        if (event.version != item.version)
+        {
+            continue;
+        }
+        collide(item, flyers, energy);
+        for (const int body : {item.i, item.j})
+        {
+            if (body >= candidates_.fixedBody())
+            {
+                continue;
+            }
+            for (int t = touchingBegin_[body]; t < touchingBegin_[body + 1]; ++t)
+            {
+                const std::size_t k = touching_[t];
+                if (k >= first && k < last)
+                {
+                    schedule(k, flyers, until);
+                }
+            }
+        }
+    }
+}
+
+template <int D>
+void Impacts<D>::schedule(std::size_t k, const std::vector<Flyer<D>>& flyers, double until)
+{
+    Item& item = items_[k];
+    predict(item, flyers);
+    if (item.time <= until)
+    {
+        heap_.push_back({item.time, k, item.version});
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+}
+
+template <int D>
+void Impacts<D>::predict(Item& item, const std::vector<Flyer<D>>& flyers) const
+{
+    const Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
+    item.seenI = a.impacts;
+    item.seenJ = b.impacts;
+    ++item.version;
+    item.time = never;
+    if (item.impacts >= mostImpacts)
+    {
+        return;
+    }
+    const double now = std::max(a.clock, b.clock);
+    if (item.touching > 0)
+    {
+        predictRound(item, a, b, now);
+        return;
+    }
+    double speed = 0, gap = item.gap;
+    if (item.lever >= 0)
+    {
+        const LeveredContact<D>& c = levers_[item.lever];
+        speed = -normalVelocity(c, a.body, b.body);
+        gap += (b.offset - a.offset + spinVelocity(b.turned, c.armJ) - spinVelocity(a.turned, c.armI))
+                   .dot(item.normal);
+    }
+    else
+    {
+        speed = -(b.body.velocity - a.body.velocity).dot(item.normal);
+        gap += (b.offset - a.offset).dot(item.normal);
+    }
+    if (speed > item.slow && gap <= dt_ * speed)
+    {
+        item.met = gap > 0 ? gap / speed : 0;
+        item.time = std::max(now, item.met);
+    }
+}
+
+template <int D>
+void Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const
+{
+    const Vector<D> velocity = b.body.velocity - a.body.velocity;
+    const Vector<D> separation =
+        (item.gap + item.touching) * item.normal + (b.offset - a.offset) + now * velocity;
+    const double closing = -separation.dot(velocity);
+    const double outside = separation.squaredNorm() - item.touching * item.touching;
+    if (closing <= 0 || outside > 2 * dt_ * closing)
+    {
+        return;
+    }
+    const double square = velocity.squaredNorm();
+    const double discriminant = closing * closing - square * outside;
+    if (discriminant <= 0 || square <= 0)
+    {
+        return;
+    }
+    const double root = std::sqrt(discriminant);
+    if (root <= item.slow * item.touching)   // the normal velocity where they meet is root/touching
+    {
+        return;
+    }
+    if (outside > 0)
+    {
+        item.met = item.time = now + outside / (closing + root);
+        return;
+    }
+    item.met = std::max(0.0, now + (closing - root) / square);
+    item.time = now;
+}
+
+template <int D>
+void Impacts<D>::collide(Item& item, std::vector<Flyer<D>>& flyers, double& energy)
+{
+    Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
+    const Body<D> beforeA = a.body, beforeB = b.body;
+    energy += item.lever >= 0 ? collideLevered(item, a, b) : collidePlain(item, a, b);
+    divert(item.i, flyers, beforeA, item);
+    divert(item.j, flyers, beforeB, item);
+    ++item.impacts;
+    ++count_;
+    exhausted_ += item.impacts == mostImpacts;
+}
+
+template <int D>
+double Impacts<D>::collidePlain(Item& item, Flyer<D>& a, Flyer<D>& b)
+{
+    Vector<D> normal = item.normal;
+    const Vector<D> before = b.body.velocity - a.body.velocity;
+    if (item.touching > 0)
+    {
+        const Vector<D> separation =
+            (item.gap + item.touching) * item.normal + (b.offset - a.offset) + item.met * before;
+        const double distance = separation.norm();
+        normal = distance > 0 ? Vector<D>(separation / distance) : normal;
+    }
+    const Contact<D> c = centralImpact<D>(normal, a.body, b.body, item.law->friction, item.law->restitution);
+    const Tangent<D> slipBefore = slip(c, a.body, b.body, before);
+    apply<D>(c, a.body, b.body, c.normalImpulse, c.slipImpulse);
+    const Vector<D> after = b.body.velocity - a.body.velocity;
+    const Vector<D> impulse = impulseVector(normal, c.normalImpulse, c.slipImpulse);
+    item.given += impulse;
+    item.pressed += c.normalImpulse;
+    const Tangent<D> slips = slipBefore + slip(c, a.body, b.body, after);
+    return 0.5 * (c.normalImpulse * (before + after).dot(normal) + product(c.slipImpulse, slips)) -
+           workOnDriven(b, impulse);
+}
+
+template <int D>
+double Impacts<D>::collideLevered(Item& item, Flyer<D>& a, Flyer<D>& b)
+{
+    const LeveredContact<D>& c = levers_[item.lever];
+    const Vector<D> velocity = c.frame.transpose() * relativeVelocity(c, a.body, b.body);
+    const Vector<D> r = impactImpulse<D>(c.w, velocity, item.law->friction, item.law->restitution);
+    const Vector<D> impulse = c.frame * r;
+    apply<D>(c, a.body, b.body, impulse, zeroTangent<D>());
+    item.given += impulse;
+    item.pressed += r[0];
+    return nscd::work<D>(c.w, velocity, r) - workOnDriven(b, impulse);
+}
+
+template <int D>
+double Impacts<D>::workOnDriven(const Flyer<D>& b, const Vector<D>& impulse)
+{
+    return b.body.inverseMass > 0 ? 0 : impulse.dot(b.body.velocity);
+}
+
+template <int D>
+void Impacts<D>::divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, const Item& item) const
+{
+    if (body >= candidates_.fixedBody())
+    {
+        return;
+    }
+    Flyer<D>& f = flyers[body];
+    const Launch<D>& launch = (*launches_)[body];
+    f.farthest = std::max(f.farthest, way(f, before, launch, item.met));
+    f.offset += item.met * (before.velocity - f.body.velocity);
+    f.turned += item.met * (before.surfaceSpeed - f.body.surfaceSpeed);
+    f.clock = std::max(f.clock, item.time);
+    ++f.impacts;
+}
+
+template void Impacts<2>::work(int, std::vector<Flyer<2>>&, double);
+template void Impacts<3>::work(int, std::vector<Flyer<3>>&, double);
+template void Impacts<2>::predict(Item&, const std::vector<Flyer<2>>&) const;
+template void Impacts<3>::predict(Item&, const std::vector<Flyer<3>>&) const;
+
+}  // namespace nscd

@@ -92,7 +92,7 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
             const int j = secondBody(pair, approach, bodies);
             // A flight may lead into another body or, back to the beginning, out of one: that is no overlap
             const bool isDeep = std::max(gap, approach.gap) < -largestPush * radius;
-            const Origin origin{p, isDeep ? -largestPush * radius : gap, attraction(p, gap, impulses[p])};
+            const Origin origin{p, isDeep ? -largestPush * radius : gap, attraction(p, gap, impulses[p]), gap};
             if (isLevered(pair))
             {
                 addLevered(pair, approach, impulses[p], j, bodies);

@@ -50,8 +50,10 @@ struct StepReport
     std::size_t exhausted = 0;    ///< contacts that had so many impacts that those after them are plastic
     int sweeps = 0;               ///< passes over the contacts, summed over the sub-steps
     std::size_t solves = 0;       ///< local solutions, of all ranks
-    bool converged = true;        ///< every sub-step reached the tolerance
+    bool converged = true;        ///< in every sub-step impulses and displacements are within the tolerance, and no
+                                  ///< overlap is so deep (0.1 of the smaller radius) that it takes several steps
     double residual = 0;          ///< worst natural-map residual at the end of a sub-step [m/s]
+    double leftOverlap = 0;       ///< worst that displacements should have removed and have not [m]
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
@@ -119,7 +121,8 @@ public:
 
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
-    /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.
+    /// Throws std::runtime_error when a value turns out not to be finite, or a grain's centre has been pressed through
+    /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
     /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.

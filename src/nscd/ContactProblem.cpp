@@ -98,6 +98,62 @@ double ContactProblem<D>::separate(int group, std::vector<Body<D>>& displacement
 }
 
 template <int D>
+double ContactProblem<D>::separationResidual(const std::vector<Body<D>>& displacements) const
+{
+    double largest = 0;
+    for (const Overlap<D>& o : overlaps_)
+    {
+        const Body<D>&a = displacements[o.i], &b = displacements[o.j];
+        const double velocity = (b.velocity - a.velocity).dot(o.normal) + o.gapVelocity;
+        const double push = o.push / o.inverseW;
+        largest = std::max(largest, std::abs(push - std::max(0.0, push - velocity)));
+    }
+    return largest;
+}
+
+template <int D>
+bool ContactProblem<D>::isCut() const
+{
+    const auto cut = [](const Origin& o) { return o.gap > o.wholeGap; };
+    return std::any_of(origin_.begin(), origin_.end(), cut) ||
+           std::any_of(leveredOrigin_.begin(), leveredOrigin_.end(), cut);
+}
+
+template <int D>
+std::vector<PassedWall> ContactProblem<D>::passedWalls(const std::vector<Body<D>>& bodies,
+                                                       const std::vector<Body<D>>& displacements) const
+{
+    std::vector<PassedWall> passed;
+    const auto check = [&](const auto& c, const Vector<D>& normal, const Origin& origin)
+    {
+        const Pair& pair = candidates_.pairs()[origin.pair];
+        if (pair.second >= 0)
+        {
+            return;
+        }
+        double velocity = normalVelocity(c, bodies[c.i], bodies[c.j]);
+        if (!displacements.empty())
+        {
+            velocity += (displacements[c.j].velocity - displacements[c.i].velocity).dot(normal);
+        }
+        const double height = origin.wholeGap + arrangement_.radius(pair);
+        if (height > 0 && height + dt_ * velocity <= 0)
+        {
+            passed.push_back({pair.first, ~pair.second, origin.wholeGap});
+        }
+    };
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+    {
+        check(contacts_[k], contacts_[k].normal, origin_[k]);
+    }
+    for (std::size_t k = 0; k < levered_.size(); ++k)
+    {
+        check(levered_[k], levered_[k].normal(), leveredOrigin_[k]);
+    }
+    return passed;
+}
+
+template <int D>
 void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 {
     for (Impulse<D>& impulse : impulses)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/Anderson.hpp"
 #include "nscd/Arrangement.hpp"
 #include "nscd/ContactForce.hpp"
 #include "nscd/Impulses.hpp"
@@ -39,6 +40,21 @@ struct Change
         sum += square;
         ++solves;
     }
+};
+
+/// A grain whose centre has come to the other side of a wall.
+struct PassedWall
+{
+    int first, wall;   ///< place of the member in solver order
+    double gap;        ///< at the beginning of the sub-step [m]
+};
+
+/// Impulses, or displacing pushes, with the weights that make them velocities, and which of them belong to which block;
+/// then the velocities of this rank's bodies.
+struct Unknowns
+{
+    std::vector<double> values, weights;
+    std::vector<Anderson::Range> ranges;
 };
 
 /// A contact as other solvers want it; arms are over the bodies' lengths.
@@ -106,6 +122,20 @@ public:
     /// Returns the square of the largest change [m^2/s^2].
     double separate(int group, std::vector<Body<D>>& displacements);
 
+    /// How far the displacements are from the solution [m/s]: natural map of the frictionless problem.
+    double separationResidual(const std::vector<Body<D>>& displacements) const;
+
+    /// Has an overlap been cut to what one step may remove?
+    bool isCut() const;
+
+    /// Contacts with walls whose grain ends beyond the wall.
+    std::vector<PassedWall> passedWalls(const std::vector<Body<D>>& bodies,
+                                        const std::vector<Body<D>>& displacements) const;
+
+    /// The unknowns of the sweeps, or of those that remove overlaps, with the bodies [begin, end).
+    void get(Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
+    void set(const Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
+
     /// Write the impulses back; zero for candidates that were not chosen.  Ages stay as they are.
     void store(std::vector<Impulse<D>>& impulses) const;
 
@@ -132,7 +162,12 @@ private:
         std::size_t pair;
         double gap;            ///< not less than what one step may remove [m]
         double attraction;     ///< impulse [N s]
+        double wholeGap;       ///< [m]
     };
+
+    /// f(group, number, weight) for the numbers of all contacts.
+    template <class F>
+    void forGroups(bool overlaps, F&& f);
 
     /// Place of a pair's second body; makes one for the point of contact of a moving wall.
     int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;

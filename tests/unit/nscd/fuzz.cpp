@@ -118,7 +118,9 @@ int Trial<D>::run()
         }
         catch (const std::runtime_error& error)
         {
-            require(std::string(error.what()).find("too far for sub-steps") != std::string::npos, error.what());
+            require(std::string(error.what()).find("too far for sub-steps") != std::string::npos ||
+                        std::string(error.what()).find("pressed through wall") != std::string::npos,
+                    error.what());
             return i + 1;
         }
         if (!continued_.empty())

@@ -18,18 +18,31 @@ namespace
 /// some passes over the blocks, though an endless number of impacts may not have ended (inelastic collapse).
 constexpr int windows = 2, mostPasses = 20;
 
-/// Bodies that become faster than the fastest one was by this factor are listed anew with what they may meet.
+/// If a body becomes faster than the fastest one was by this factor, what they may meet is listed anew.
 constexpr double faster = 1.25;
 
 template <int D>
-double largestSpeed(const std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches)
+Vector<D> meanVelocity(const std::vector<Flyer<D>>& flyers)
+{
+    Vector<D> sum = Vector<D>::Zero();
+    for (const Flyer<D>& flyer : flyers)
+    {
+        sum += flyer.body.velocity;
+    }
+    return sum / static_cast<double>(flyers.size());
+}
+
+/// Largest speed, surfaces included, against the usual velocity [m/s].
+template <int D>
+double largestSpeed(const std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
+                    const Vector<D>& usual)
 {
     double largest = 0;
-    for (std::size_t k = 0; k < launches.size(); ++k)
+    for (std::size_t k = 0; k + 1 < launches.size(); ++k)   // the last is fixed
     {
         const Body<D>& body = flyers[k].body;
         const double turning = launches[k].round ? 0 : std::sqrt(squaredNorm(body.surfaceSpeed));
-        largest = std::max(largest, body.velocity.norm() + turning);
+        largest = std::max(largest, (body.velocity - usual).norm() + turning);
     }
     return largest;
 }
@@ -83,8 +96,9 @@ bool ContactDynamics<D>::Implementation::fly(double dt)
     do
     {
         launch(dt);
-        known = faster * std::max(fastest, largestSpeed(flyers_, launches_));
-        const bool any = impacts_.begin(flyers_, launches_, impulses_, dt, settings_.tolerance / dt, known);
+        const Vector<D> usual = meanVelocity(flyers_);
+        known = faster * std::max(fastest, largestSpeed<D>(flyers_, launches_, usual));
+        const bool any = impacts_.begin(flyers_, launches_, impulses_, dt, settings_.tolerance / dt, usual, known);
         if (communicator_.max(any) == 0)
         {
             return false;
@@ -95,7 +109,7 @@ bool ContactDynamics<D>::Implementation::fly(double dt)
         }
         flyers_.resize(candidates_.fixedBody() + 1);
         communicator_.share(flyers_, candidates_.rankBegin());
-        fastest = largestSpeed(flyers_, launches_);
+        fastest = largestSpeed<D>(flyers_, launches_, usual);
     } while (fastest > known);
     return true;
 }

@@ -66,6 +66,8 @@ struct StepReport
 /// Grains and walls in frictional contact (Signorini-Coulomb, time stepping after
 /// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel:
 ///     r_n >= 0,  u_n + max(gap, 0)/dt >= 0,  complementary,  and  |r_t| <= mu r_n.
+/// Where there is restitution, bodies first fly from impact to impact (see Impacts.hpp), and contacts begin with the
+/// velocities that these leave.
 /// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
 /// velocity and no impulse from it.  A contact that carried an impulse in the step before lets its grains approach
 /// again only once its gap exceeds 0.5 % of the smaller radius.

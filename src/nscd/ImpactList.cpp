@@ -12,6 +12,7 @@ template <int D>
 void Impacts<D>::clear()
 {
     items_.clear();
+    watched_.clear();
     levers_.clear();
     begin_.clear();
     given_.clear();
@@ -21,12 +22,14 @@ void Impacts<D>::clear()
 
 template <int D>
 bool Impacts<D>::begin(std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
-                       const std::vector<Impulse<D>>& impulses, double dt, double resolved, double fastest)
+                       const std::vector<Impulse<D>>& impulses, double dt, double resolved,
+                       const Vector<D>& usual, double fastest)
 {
     clear();
     launches_ = &launches;
     dt_ = dt;
     resolved_ = resolved;
+    usual_ = usual;
     fastest_ = fastest;
     for (const Group& group : candidates_.groups())
     {
@@ -35,10 +38,12 @@ bool Impacts<D>::begin(std::vector<Flyer<D>>& flyers, const std::vector<Launch<D
     }
     begin_.push_back(items_.size());
     bool any = false;
-    for (Item& item : items_)
+    watched_.resize(items_.size());
+    for (std::size_t k = 0; k < items_.size(); ++k)
     {
-        predict(item, flyers);
-        any = any || item.time <= dt;
+        watched_[k] = {never, items_[k].i, items_[k].j, 0, 0, 0};
+        predict(k, flyers);
+        any = any || watched_[k].time <= dt;
     }
     listTouching(flyers.size());
     return any;
@@ -74,18 +79,22 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
         }
         item.slow = std::max(item.slow, normalShare * std::abs(push.dot(item.normal)));
         item.law = &law;
-        double wallSpeed = 0;
+        double closest = reach;
+        if (isWall)
+        {
+            closest = dt_ * (fastest_ + (usual_ - flyers[item.j].body.velocity).norm());
+        }
         if (wallBody >= 0 && item.j == candidates_.fixedBody())
         {
             const WallBody<D>& wall = wallBodies_[wallBody];
             const Vector<D> arm = arrangement_.contactPoint(pair, *approach) - wall.position;
             Flyer<D> point;
             point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), zeroTangent<D>(), 0};
-            wallSpeed = point.body.velocity.norm();
+            closest = dt_ * (fastest_ + (usual_ - point.body.velocity).norm());
             item.j = static_cast<int>(flyers.size());
             flyers.push_back(point);
         }
-        if (approach->gap > reach + dt_ * wallSpeed)
+        if (approach->gap > closest)
         {
             continue;
         }

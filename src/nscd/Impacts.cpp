@@ -15,14 +15,14 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
     heap_.clear();
     for (std::size_t k = first; k < last; ++k)
     {
-        Item& item = items_[k];
-        if (item.seenI != flyers[item.i].impacts || item.seenJ != flyers[item.j].impacts)
+        const Watched& w = watched_[k];
+        if (w.seenI != flyers[w.i].impacts || w.seenJ != flyers[w.j].impacts)
         {
-            predict(item, flyers);
+            predict(k, flyers);
         }
-        if (item.time <= until)
+        if (w.time <= until)
         {
-            heap_.push_back({item.time, k, item.version});
+            heap_.push_back({w.time, k, w.version});
         }
     }
     std::make_heap(heap_.begin(), heap_.end());
@@ -32,13 +32,13 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
         std::pop_heap(heap_.begin(), heap_.end());
         const Event event = heap_.back();
         heap_.pop_back();
-        Item& item = items_[event.item];
-        if (event.version != item.version)
+        const Watched& w = watched_[event.item];
+        if (event.version != w.version)
         {
             continue;
         }
-        collide(item, flyers, energy);
-        for (const int body : {item.i, item.j})
+        collide(event.item, flyers, energy);
+        for (const int body : {w.i, w.j})
         {
             if (body >= candidates_.fixedBody())
             {
@@ -59,23 +59,24 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
 template <int D>
 void Impacts<D>::schedule(std::size_t k, const std::vector<Flyer<D>>& flyers, double until)
 {
-    Item& item = items_[k];
-    predict(item, flyers);
-    if (item.time <= until)
+    predict(k, flyers);
+    if (watched_[k].time <= until)
     {
-        heap_.push_back({item.time, k, item.version});
+        heap_.push_back({watched_[k].time, k, watched_[k].version});
         std::push_heap(heap_.begin(), heap_.end());
     }
 }
 
 template <int D>
-void Impacts<D>::predict(Item& item, const std::vector<Flyer<D>>& flyers) const
+void Impacts<D>::predict(std::size_t k, const std::vector<Flyer<D>>& flyers)
 {
-    const Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
-    item.seenI = a.impacts;
-    item.seenJ = b.impacts;
-    ++item.version;
-    item.time = never;
+    Watched& w = watched_[k];
+    Item& item = items_[k];
+    const Flyer<D>&a = flyers[w.i], &b = flyers[w.j];
+    w.seenI = a.impacts;
+    w.seenJ = b.impacts;
+    ++w.version;
+    w.time = never;
     if (item.impacts >= mostImpacts)
     {
         return;
@@ -83,7 +84,7 @@ void Impacts<D>::predict(Item& item, const std::vector<Flyer<D>>& flyers) const
     const double now = std::max(a.clock, b.clock);
     if (item.touching > 0)
     {
-        predictRound(item, a, b, now);
+        w.time = predictRound(item, a, b, now);
         return;
     }
     double speed = 0, gap = item.gap;
@@ -102,12 +103,12 @@ void Impacts<D>::predict(Item& item, const std::vector<Flyer<D>>& flyers) const
     if (speed > item.slow && gap <= dt_ * speed)
     {
         item.met = gap > 0 ? gap / speed : 0;
-        item.time = std::max(now, item.met);
+        w.time = std::max(now, item.met);
     }
 }
 
 template <int D>
-void Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const
+double Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const
 {
     const Vector<D> velocity = b.body.velocity - a.body.velocity;
     const Vector<D> separation =
@@ -116,36 +117,37 @@ void Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, 
     const double outside = separation.squaredNorm() - item.touching * item.touching;
     if (closing <= 0 || outside > 2 * dt_ * closing)
     {
-        return;
+        return never;
     }
     const double square = velocity.squaredNorm();
     const double discriminant = closing * closing - square * outside;
     if (discriminant <= 0 || square <= 0)
     {
-        return;
+        return never;
     }
     const double root = std::sqrt(discriminant);
     if (root <= item.slow * item.touching)   // the normal velocity where they meet is root/touching
     {
-        return;
+        return never;
     }
     if (outside > 0)
     {
-        item.met = item.time = now + outside / (closing + root);
-        return;
+        item.met = now + outside / (closing + root);
+        return item.met;
     }
     item.met = std::max(0.0, now + (closing - root) / square);
-    item.time = now;
+    return now;
 }
 
 template <int D>
-void Impacts<D>::collide(Item& item, std::vector<Flyer<D>>& flyers, double& energy)
+void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& energy)
 {
+    Item& item = items_[k];
     Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
     const Body<D> beforeA = a.body, beforeB = b.body;
     energy += item.lever >= 0 ? collideLevered(item, a, b) : collidePlain(item, a, b);
-    divert(item.i, flyers, beforeA, item);
-    divert(item.j, flyers, beforeB, item);
+    divert(item.i, flyers, beforeA, item.met, watched_[k].time);
+    divert(item.j, flyers, beforeB, item.met, watched_[k].time);
     ++item.impacts;
     ++count_;
     exhausted_ += item.impacts == mostImpacts;
@@ -195,7 +197,8 @@ double Impacts<D>::workOnDriven(const Flyer<D>& b, const Vector<D>& impulse)
 }
 
 template <int D>
-void Impacts<D>::divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, const Item& item) const
+void Impacts<D>::divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, double met,
+                        double time) const
 {
     if (body >= candidates_.fixedBody())
     {
@@ -203,16 +206,16 @@ void Impacts<D>::divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& 
     }
     Flyer<D>& f = flyers[body];
     const Launch<D>& launch = (*launches_)[body];
-    f.farthest = std::max(f.farthest, way(f, before, launch, item.met));
-    f.offset += item.met * (before.velocity - f.body.velocity);
-    f.turned += item.met * (before.surfaceSpeed - f.body.surfaceSpeed);
-    f.clock = std::max(f.clock, item.time);
+    f.farthest = std::max(f.farthest, way(f, before, launch, met));
+    f.offset += met * (before.velocity - f.body.velocity);
+    f.turned += met * (before.surfaceSpeed - f.body.surfaceSpeed);
+    f.clock = std::max(f.clock, time);
     ++f.impacts;
 }
 
 template void Impacts<2>::work(int, std::vector<Flyer<2>>&, double);
 template void Impacts<3>::work(int, std::vector<Flyer<3>>&, double);
-template void Impacts<2>::predict(Item&, const std::vector<Flyer<2>>&) const;
-template void Impacts<3>::predict(Item&, const std::vector<Flyer<3>>&) const;
+template void Impacts<2>::predict(std::size_t, const std::vector<Flyer<2>>&);
+template void Impacts<3>::predict(std::size_t, const std::vector<Flyer<3>>&);
 
 }  // namespace nscd

@@ -41,9 +41,10 @@ public:
     /// List the contacts that may have impacts in a sub-step of length dt [s]; bodies that stand for points of driven
     /// walls are added to the flyers.  Contacts that carried an impulse in the sub-step before have impacts above
     /// the velocity 'resolved' only [m/s].  Returns whether any contact has an impact, as far as this rank sees.
-    /// No body may become faster than 'fastest', its surface included [m/s].
+    /// No body's velocity may differ by more than 'fastest' from 'usual', its surface included [m/s].
     bool begin(std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
-               const std::vector<Impulse<D>>& impulses, double dt, double resolved, double fastest);
+               const std::vector<Impulse<D>>& impulses, double dt, double resolved, const Vector<D>& usual,
+               double fastest);
 
     /// Execute a group's impacts until a time [s].
     void work(int group, std::vector<Flyer<D>>& flyers, double until);
@@ -71,6 +72,15 @@ private:
     /// grain on the floor rests, and normal to the contact four times that of the bodies against each other.
     static constexpr double share = 0.5, normalShare = 4;
 
+    /// What a visit to a group looks at.
+    struct Watched
+    {
+        double time;           ///< of the next impact [s]
+        int i, j;
+        int seenI, seenJ;      ///< impacts of the bodies when that was found
+        unsigned version;
+    };
+
     struct Item
     {
         std::size_t pair;
@@ -81,11 +91,8 @@ private:
         double slow = 0;       ///< approach that is not an impact [m/s]
         const ContactParameters* law = nullptr;
         int lever = -1;        ///< index into levers_
-        int seenI = 0, seenJ = 0;
         int impacts = 0;
-        unsigned version = 0;
-        double time = 0;       ///< of the next impact [s]
-        double met = 0;        ///< when the lines of flight cross: before 'time' if the impact comes late [s]
+        double met = 0;        ///< when the lines of flight cross: before the impact if it comes late [s]
         Vector<D> given = Vector<D>::Zero();
         double pressed = 0;
     };
@@ -108,10 +115,12 @@ private:
     void addLever(Item& item, const Pair& pair, const Approach<D>& approach, const std::vector<Flyer<D>>& flyers);
     void listTouching(std::size_t bodies);
 
-    void predict(Item& item, const std::vector<Flyer<D>>& flyers) const;
-    void predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const;
+    void predict(std::size_t item, const std::vector<Flyer<D>>& flyers);
+
+    /// Return the time [s].
+    double predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const;
     void schedule(std::size_t item, const std::vector<Flyer<D>>& flyers, double until);
-    void collide(Item& item, std::vector<Flyer<D>>& flyers, double& energy);
+    void collide(std::size_t item, std::vector<Flyer<D>>& flyers, double& energy);
 
     /// Return the kinetic energy that the bodies gain [J].
     double collidePlain(Item& item, Flyer<D>& a, Flyer<D>& b);
@@ -121,7 +130,7 @@ private:
     static double workOnDriven(const Flyer<D>& b, const Vector<D>& impulse);
 
     /// Let a body go on with its new velocity from where it had the impact.
-    void divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, const Item& item) const;
+    void divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, double met, double time) const;
 
     static constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -131,7 +140,9 @@ private:
     const BodyData<D>& data_;
     const std::vector<Launch<D>>* launches_ = nullptr;
     double dt_ = 0, resolved_ = 0, fastest_ = 0;
+    Vector<D> usual_ = Vector<D>::Zero();
     std::vector<Item> items_;
+    std::vector<Watched> watched_;              ///< of each item
     std::vector<LeveredContact<D>> levers_;
     std::vector<std::size_t> begin_;            ///< first item of each group, and the end
     std::vector<int> touching_, touchingBegin_; ///< items of each body

@@ -90,7 +90,7 @@ TYPED_TEST(ImpactOfBodies, InABoxThatTheyPushAboutGivesNoEnergy)
                                               {box});
             const double scale = kineticEnergy<D>(dynamics.grains());
             double gained = -1;
-            for (int i = 0; i < 1600; ++i)
+            for (int i = 0; i < 1800; ++i)
             {
                 const auto report = fall<D>(dynamics, nscd::Vector<D>::Zero(), 0.02);
                 impacts += report.impacts;

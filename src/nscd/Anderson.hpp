@@ -10,13 +10,13 @@
 namespace nscd
 {
 
-/// Anderson's acceleration of a fixed point x = G(x), of depth one (Walker and Ni 2011, doi:10.1137/10078356X): with
+/// Anderson's acceleration of a fixed point x = G(x), of depth one (Walker and Ni 2011, doi:10.1137/10078356X), with
 /// F = G(x) - x and dF, dG the changes since the last iteration,
 ///
 ///     x <- G - gamma dG,   gamma = F.dF/dF.dF,
 ///
-/// which begins anew where |F|^2 has grown fourfold.  Sweeps over contacts of mass ratio q approach their fixed point by
-/// a factor of 1 - 1/q only, along one direction, which this finds.  Sums are taken block by block: the result
+/// which begins anew where |F|^2 has grown fourfold.  Sweeps over contacts of mass ratio q approach their fixed point
+/// by a factor of 1 - 1/q only, along one direction, which this finds.  Sums are taken block by block: the result
 /// does not depend on the number of ranks.
 class Anderson
 {

@@ -100,7 +100,8 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
                 leveredOrigin_.push_back(origin);
                 continue;
             }
-            contacts_.push_back({approach.normal, approachLimit(p, gap), 1 / (bodies[i].inverseMass + bodies[j].inverseMass),
+            contacts_.push_back({approach.normal, approachLimit(p, gap),
+                                 1 / (bodies[i].inverseMass + bodies[j].inverseMass),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
                                  inTangentPlane<D>(impulses[p].tangential, approach.normal), i, j});
             origin_.push_back(origin);

@@ -172,7 +172,7 @@ private:
     /// Place of a pair's second body; makes one for the point of contact of a moving wall.
     int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;
 
-    /// Where the bodies of a candidate meet, and what the gap was along that normal at the beginning of the sub-step [m].
+    /// Where the bodies of a candidate meet, and what the gap was along that normal at the beginning [m].
     struct Meeting
     {
         Approach<D> approach;

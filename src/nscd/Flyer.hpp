@@ -8,8 +8,8 @@
 namespace nscd
 {
 
-/// A body that flies from impact to impact within a sub-step: from the last one on it is where it would be at the time t
-/// if it had started at the offset from its place at the beginning, with the present velocity.
+/// A body that flies from impact to impact within a sub-step: from the last one on it is where it would be at the time
+/// t if it had started at the offset from its place at the beginning, with the present velocity.
 template <int D>
 struct Flyer
 {

@@ -19,7 +19,7 @@ double work(const Block<D>& W, const Vector<D>& u, const Vector<D>& r)
 /// components (N, T ...) as in solveLocal(), W symmetric and positive definite.
 ///
 /// Newton's rule f, which solves Signorini and Coulomb's problem for u + e u_N n, may create energy where W couples the
-/// normal with the tangent (Stronge 1990, doi:10.1098/rspa.1990.0125).  The plastic impulse p, e = 0, never does.  Hence
+/// normal with the tangent (Stronge 1990, doi:10.1098/rspa.1990.0125).  The plastic impulse p, e = 0, never does. Hence
 ///
 ///     r = p + theta (f - p),  theta the largest in [0, 1] with  E(r) <= (1 - e^2) E(p),   E(r) = r.u + r.Wr/2.
 ///

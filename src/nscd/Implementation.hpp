@@ -75,8 +75,8 @@ private:
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(double dt);
 
-    /// Impacts of the sub-step: flights from one to the next until its end, with candidates that cover them.  Velocities
-    /// without contacts are those after them from then on.
+    /// Impacts of the sub-step: flights from one to the next until its end, with candidates that cover them.
+    /// Velocities without contacts are those after them from then on.
     void collide(double dt, StepReport& report);
 
     /// Let bodies fly with their velocities without contacts and collide.  False, and nothing done, when there are no

@@ -115,7 +115,10 @@ double ContactDynamics<D>::Implementation::unevenness() const
 {
     double largest = 1;
     const auto mass = [&](int body)
-    { return body < static_cast<int>(grains_.size()) ? grains_.mass[candidates_.order()[body]] : massOfFreeWall(body); };
+    {
+        const bool isGrain = body < static_cast<int>(grains_.size());
+        return isGrain ? grains_.mass[candidates_.order()[body]] : massOfFreeWall(body);
+    };
     for (const Pair& pair : candidates_.pairs())
     {
         const int j = candidates_.secondBody(pair);

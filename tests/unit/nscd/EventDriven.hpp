@@ -10,8 +10,8 @@
 #include <queue>
 
 /// Smooth discs or spheres of equal mass and radius in a periodic cube, without forces: every collision is at its exact
-/// time, in the order of time (Alder and Wainwright 1959, doi:10.1063/1.1730376).  Simple: all pairs of a grain that has
-/// collided are looked at.
+/// time, in the order of time (Alder and Wainwright 1959, doi:10.1063/1.1730376).  Simple: all pairs of a grain that
+/// has collided are looked at.
 template <int D>
 class EventDriven
 {

@@ -60,7 +60,7 @@ void compareCooling(const Cooling& c, std::initializer_list<double> ways, int pe
         }
         std::printf("%d-D, e %.2f, solid fraction %.2f, %.2f d per step: rate / exact %.4f\n", D, c.restitution,
                     c.fraction, way, ours / exact);
-        // The scatter of the mean over the seeds is about 1 %
+        // The means over the seeds scatter by about 0.7 %
         EXPECT_NEAR(ours / exact, 1, 0.03) << way << " d per step";
     }
 }
@@ -92,8 +92,8 @@ INSTANTIATE_TEST_SUITE_P(Gas, CoolingSpheres,
                          testing::Values(Cooling{0.97, 0.2, 10}, Cooling{0.97, 0.4, 3}, Cooling{0.8, 0.2, 8},
                                          Cooling{0.8, 0.4, 2}));
 
-/// Height of the centre of mass of 300 discs of 5 mm over the middle of a floor that shakes them at 8 g, mean over time,
-/// in diameters.
+/// Height of the centre of mass of 300 discs of 5 mm over the middle of a floor that shakes them at 8 g, mean over
+/// time, in diameters.
 double shakenHeight(double dt)
 {
     const double d = 5e-3, amplitude = d, omega = std::sqrt(8 * g / amplitude);

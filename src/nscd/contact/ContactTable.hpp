@@ -16,13 +16,15 @@ struct ContactParameters
     /// Coulomb coefficient mu >= 0: |r_t| <= mu r_n.
     double friction = 0;
 
-    /// Newton's coefficient 0 <= e <= 1: a contact that closes with velocity v reopens with at least e v.
+    /// Newton's coefficient 0 <= e <= 1: a contact that closes with velocity v reopens with at least e v (doc/theory,
+    /// eq. 5.10).
     double restitution = 0;
 
-    /// Resistance to rolling >= 0: the rolling moment is at most rolling * r_n * R with 1/R = 1/R_i + 1/R_j.
+    /// Resistance to rolling >= 0: the rolling moment is at most rolling * r_n * R with 1/R = 1/R_i + 1/R_j
+    /// (doc/theory, eq. 5.12).
     double rolling = 0;
 
-    /// Attraction of two grains in contact >= 0: cohesion + tension * R [N], R as for rolling.
+    /// Attraction of two grains in contact >= 0: cohesion + tension * R [N], R as for rolling (doc/theory, eq. 5.11).
     double cohesion = 0;   ///< [N]
     double tension = 0;    ///< [N/m]
 

@@ -23,7 +23,8 @@ constexpr double waiting = 0.3;
 /// plain sweeps.
 constexpr double momentumUntil = 0.75;
 
-/// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before.
+/// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before
+/// (doc/theory, eq. 5.13).
 class Momentum
 {
 public:

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Do the numbers of equations fit?  Called by tests/lint.
 
-A number of doc/theory, the \\tag of an equation, occurs once and begins with that of its chapter, the
-first heading of its file.  What the chapters refer to, as (2.7) or (2.7, 2.9), and what code cites, as
-"doc/theory, eq. 2.7 to 2.9", is there.
+The tag of an equation of doc/theory is its number.  It occurs once and begins with the number of
+its chapter, which is in the first heading of its file.  What chapters refer to, as (2.7) or
+(2.7, 2.9), and what code cites, as "doc/theory, eq. 2.7 to 2.9", is there.
 """
 
 import re

@@ -329,3 +329,12 @@ def test_restart_and_ranks_with_fluid(clone):
     ranks.parallel("grainFoam", 2)
     np.testing.assert_array_equal(ledger(whole)["injected"], ledger(ranks)["injected"])
     assert ranks.grains()["position"] == pytest.approx(whole.grains()["position"], abs=1e-7)
+
+
+def test_more_grains_than_can_come_in_are_refused(clone):
+    """A mass rate in kg/s with radii in metres that were meant in other units."""
+    case = dry_box(clone, [], dimension=2)
+    inject(case, f"{BOX[2]} massRate 1; distribution {{ type constant; radius 1e-9; }}")
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in (GRAINS, "feed", "'massRate'", "value 1", "at most 1e5 grains"):
+        assert fragment in case.log

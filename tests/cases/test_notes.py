@@ -46,6 +46,42 @@ def test_courant_numbers_above_1_are_reported_once(clone):
     assert "1.5 of the grains after time 0" in case.log
 
 
+@pytest.mark.parametrize(
+    "file, old, new, what",
+    [
+        ("constant/transportProperties", "rho ", "HeleShow { gap 1; }\nrho ", "'HeleShow'"),
+        ("system/fvSolution", "nCorrectors     2", "nCorrectors 0", "'nCorrectors' has the"),
+        ("system/fvSolution", "nCorrectors     2", "nCorrector 2", "'nCorrector'"),
+        ("system/fvSolution", "PISO", "PIMPLE", "'PISO' is missing"),
+        ("constant/MRFProperties", "", "zone {}", "constant/MRFProperties"),
+    ],
+)
+def test_files_of_the_fluid_hold_nothing_that_is_passed_over(clone, file, old, new, what):
+    case = grain_box(clone, [(0.05, 0.05)])
+    case.run("checkGrains")
+    if old:
+        replace(case, file, old, new)
+    else:
+        (case.path / file).write_text(new)
+    assert case.run("checkGrains", check=False) == 1
+    error = case.log[case.log.index("-->") :]
+    assert file in error
+    assert what in error
+
+
+def test_dictionaries_may_have_names_of_their_own(clone):
+    case = grain_box(clone, [(0.05, 0.05)])
+    (case.path / "constant/parameters").write_text("mySpeed 3;\nmyTolerance 1e-8;\n")
+    replace(case, GRAINS, "1e-7", "$myTolerance")
+    replace(case, GRAINS, "shape   disc;\n\n", '#include "parameters"\nmu 0.3;\nshape disc;\n\n')
+    replace(case, GRAINS, "friction    0.3", "friction $mu")
+    control(case, endTime=0.001)
+    case.run("grainFoam")
+    replace(case, GRAINS, "$mu", "0.3")
+    assert case.run("grainFoam", check=False) == 1
+    assert "Unknown keyword 'mu'" in case.log
+
+
 def test_users_own_programs_stay_in_front(tmp_path):
     """etc/bashrc puts its programs into PATH, and not all others of the system, too."""
     root = Path(__file__).resolve().parents[2]

@@ -431,3 +431,13 @@ def test_settling_tells_how_far_it_is(clone):
     assert "about 500 grains" in case.log
     assert case.log.count("Settling 500 grains, at most 10 s") == 2
     assert re.search(r"[0-9.e-]+ s: the fastest moves at [0-9.e-]+ m/s", case.log)
+
+
+@pytest.mark.parametrize("output", ["/proc/none/grains.csv", "constant"])
+def test_output_that_cannot_be_written_is_refused(clone, output):
+    case = grain_box(clone)
+    entries = f'type lattice; {BOX} radius 2e-3; material glass; output "{output}";'
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    assert case.run("packGrains", check=False, timeout=30) == 1
+    for fragment in ("system/packGrainsDict", "'output'", output, "can be written"):
+        assert fragment in case.log

@@ -22,7 +22,7 @@ Description
 #include "dictionaryInput.H"
 #include "dryLedger.H"
 #include "incompleteTimes.H"
-#include "timeControl.H"
+#include "requireTimeStep.H"
 
 template<int D>
 void run(Time& runTime, const fvMesh& mesh, const vector& g)

@@ -19,6 +19,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "dynamicFvMesh.H"
 #include "pisoControl.H"
 
 #include "adjustableTimeStep.H"
@@ -44,7 +45,7 @@ int main(int argc, char *argv[])
     setAsideIncompleteTimes(args);
 
     #include "createTime.H"
-    #include "createMesh.H"
+    #include "createDynamicFvMesh.H"
 
     pisoControl piso(mesh);
 
@@ -59,10 +60,23 @@ int main(int argc, char *argv[])
     {
         carried.startStep();
         exchange.inject(fields.U);
-        timeStep.set(fields.phiU);
+        timeStep.set(flow.relativePhiU());
         ++runTime;
 
-        ledger.startStep(fields.phiU);
+        ledger.startStep(flow.relativePhiU());
+
+        if (mesh.dynamic())
+        {
+            flow.beforeMeshChange();
+            carried.beforeMeshChange();
+            if (mesh.update())
+            {
+                exchange.meshChanged();
+                flow.meshChanged();
+                carried.meshChanged();
+                ledger.meshChanged();
+            }
+        }
 
         exchange.predict(fields.U);
         fluid.correct();

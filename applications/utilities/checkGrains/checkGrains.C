@@ -130,7 +130,7 @@ int main(int argc, char *argv[])
     );
     if (transport.size())
     {
-        checkTransportProperties(transport);
+        checkFluidInput(mesh, transport);
     }
     const bool good =
         isPlanar(mesh) ? check<2>(mesh, transport) : check<3>(mesh, transport);

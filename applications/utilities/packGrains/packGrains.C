@@ -39,6 +39,8 @@ Usage
 #include "packingReport.H"
 #include "nscd/search/SpatialOrder.hpp"
 
+#include <filesystem>
+
 //- The order in which grains are written
 template<int D>
 std::vector<std::size_t> order
@@ -89,7 +91,9 @@ void pack(const fvMesh& mesh, const dictionary& dict)
     {
         file = mesh.time().path()/file;
     }
-    mkDir(file.path());
+    // What fails is seen when the file is written
+    std::error_code ignored;
+    std::filesystem::create_directories(file.path(), ignored);
 
     OFstream os(file);
     os.precision(17);

@@ -173,9 +173,9 @@ Foam::scalar Foam::csvTable::number
     const sigFpe::ignore ignoreFpe;
     const scalar value = std::strtod(s.c_str(), &end);
 
-    if (s.empty() || *end || !std::isfinite(value))
+    if (s.empty() || *end || !(mag(value) <= GREAT))
     {
-        badValue(column, row, "a finite number");
+        badValue(column, row, "a finite number of at most 1e15");
     }
     return value;
 }

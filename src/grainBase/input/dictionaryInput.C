@@ -39,11 +39,18 @@ scalar readChecked
             << "    allowed: a number with the dimensions " << dims
             << " or without any" << exit(FatalIOError);
     }
-    if (!std::isfinite(value))
+
+    // Squares and cubes of it are numbers, too
+    if
+    (
+        !std::isfinite(value)
+     || (value != 0 && (mag(value) < 1e-100 || mag(value) > 1e100))
+    )
     {
         dictionaryInput::badValue
         (
-            dict, keyword, std::to_string(value), "a finite number"
+            dict, keyword, text,
+            "a finite number, 0 or of a magnitude from 1e-100 to 1e100"
         );
     }
     return value;

@@ -6,6 +6,7 @@
 #include "fluidInput.H"
 
 #include "dictionaryInput.H"
+#include "fvMesh.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -44,6 +45,18 @@ void Foam::checkPISO(const dictionary& fvSolution, const wordList& others)
 
     dictionaryInput::getLabelOrDefault(dict, "nCorrectors", 1, 1);
     dictionaryInput::getLabelOrDefault(dict, "nNonOrthogonalCorrectors", 0, 0);
+}
+
+
+void Foam::checkFluidInput
+(
+    const fvMesh& mesh,
+    const dictionary& transportProperties
+)
+{
+    checkTransportProperties(transportProperties);
+    checkPISO(mesh.solutionDict());
+    refuseFiles(mesh.time(), {"MRFProperties"});
 }
 
 

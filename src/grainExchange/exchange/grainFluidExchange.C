@@ -138,6 +138,16 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
 }
 
 
+void Foam::grainFluidExchange::meshChanged()
+{
+    const stopwatch::lap lap(time_);
+    grains_.meshChanged();
+    unresolved_.meshChanged();
+    resolved_->meshChanged();
+    setEps();
+}
+
+
 void Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);

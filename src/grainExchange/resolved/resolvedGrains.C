@@ -160,6 +160,17 @@ void Foam::resolvedGrains::setDensity()
 }
 
 
+void Foam::resolvedGrains::meshChanged()
+{
+    cellSize_ = cellSizes(mesh_);
+    smallestCell_ = gMin(cellSize_);
+    isActive_ = false;
+    grain_ == dimensionedScalar("none", dimless, -1);
+    locked_ == dimensionedScalar(dimless, Zero);
+    setFaces();
+}
+
+
 void Foam::resolvedGrains::update()
 {
     const bool wasActive = isActive_;

@@ -51,6 +51,13 @@ Foam::undisturbedFlow::undisturbedFlow
 }
 
 
+void Foam::undisturbedFlow::meshChanged()
+{
+    cellSize_ = cellSizes(mesh_);
+    cellSizeRange_ = Pair<scalar>(gMin(cellSize_), gMax(cellSize_));
+}
+
+
 Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
 {
     const scalar x = std::log2(diameterByCellSize);

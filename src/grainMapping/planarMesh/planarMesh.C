@@ -120,6 +120,17 @@ Foam::planarMesh::planarMesh(const fvMesh& mesh)
 :
     mesh_(mesh)
 {
+    meshChanged();
+}
+
+
+void Foam::planarMesh::meshChanged()
+{
+    vertices_.clear();
+    edges_.clear();
+    boxes_.clear();
+    domain_.setEmpty();
+
     setAxes();
     setPolygons();
     setEdges();

@@ -67,6 +67,12 @@ void Foam::grainLedger::startStep(const surfaceScalarField& phiU)
     Info<< nl << "Time = " << runTime.timeName() << nl << endl;
 
     before_ = grains_.motion().tally();
+    keepEps();
+}
+
+
+void Foam::grainLedger::keepEps()
+{
     oldEps_ = exchange_.eps().primitiveField();
     oldEpsf_.reset(new surfaceScalarField(fvc::interpolate(exchange_.eps())));
 }

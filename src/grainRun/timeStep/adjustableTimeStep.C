@@ -7,7 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "fvcSurfaceIntegrate.H"
-#include "timeControl.H"
+#include "requireTimeStep.H"
 
 Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
 :

@@ -10,6 +10,16 @@
 #include "spatialCells.H"
 
 template<int D>
+void Foam::grainDynamics<D>::meshChanged()
+{
+    properties_.meshChanged();
+    outlets_.meshChanged();
+    isLocated_ = false;
+    cell_.clear();
+}
+
+
+template<int D>
 Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<D>::cells() const
 {
     if constexpr (D == 2)
@@ -124,6 +134,8 @@ void Foam::grainDynamics<D>::move
 }
 
 
+template void Foam::grainDynamics<2>::meshChanged();
+template void Foam::grainDynamics<3>::meshChanged();
 template Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<2>::cells() const;
 template Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<3>::cells() const;
 template Foam::grainBodies Foam::grainDynamics<2>::bodies() const;

@@ -168,8 +168,9 @@ Foam::grainTally Foam::grainInjection<D>::inject
     constexpr label maxTries = 100;
 
     grainTally all;
-    rate_.owe(now);
+    const scalar due = rate_.owe(now);
     nscd::Grains<D> grain(next());
+    rate_.requireFew(due, tally(grain));
     if (!rate_.owes(tally(grain)))
     {
         return all;

@@ -142,15 +142,37 @@ Foam::scalar Foam::injectionRate::integral
 }
 
 
-void Foam::injectionRate::owe(const scalar now)
+Foam::scalar Foam::injectionRate::owe(const scalar now)
 {
     const scalar from = max(until_, start_);
     const scalar to = min(now, end_);
-    if (to > from)
-    {
-        owed_ += max(integral(from, to), scalar(0));
-    }
+    const scalar more =
+        to > from ? max(integral(from, to), scalar(0)) : scalar(0);
+    owed_ += more;
     until_ = now;
+    return more;
+}
+
+
+void Foam::injectionRate::requireFew
+(
+    const scalar due,
+    const grainTally& grain
+) const
+{
+    constexpr scalar most = 1e5;
+
+    const scalar number = due/amount(grain);
+    if (number > most)
+    {
+        dictionaryInput::badValue
+        (
+            dict_, keyword_, dictionaryInput::written(dict_, keyword_),
+            "rates with which at most 1e5 grains come in in a time step; with"
+            " this one and a grain of " + Foam::name(grain.mass)
+          + " kg they are " + Foam::name(number)
+        );
+    }
 }
 
 

@@ -48,6 +48,16 @@ Foam::grainOutlets<D>::grainOutlets
 
 
 template<int D>
+void Foam::grainOutlets<D>::meshChanged()
+{
+    for (grainOutlet<D>& outlet : outlets_)
+    {
+        outlet.meshChanged();
+    }
+}
+
+
+template<int D>
 Foam::labelList Foam::grainOutlets<D>::openings() const
 {
     labelList result;

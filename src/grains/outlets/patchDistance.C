@@ -32,22 +32,31 @@ Foam::patchDistance::patchDistance
     const polyMesh& mesh,
     const labelUList& patches
 )
+:
+    mesh_(mesh),
+    patches_(patches)
+{
+    meshChanged();
+}
+
+
+void Foam::patchDistance::meshChanged()
 {
     DynamicList<label> chosen, others;
-    for (const polyPatch& patch : mesh.boundaryMesh())
+    for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (!isA<emptyPolyPatch>(patch) && !patch.coupled())
         {
             DynamicList<label>& faces =
-                patches.found(patch.index()) ? chosen : others;
+                patches_.found(patch.index()) ? chosen : others;
             forAll(patch, i)
             {
                 faces.append(patch.start() + i);
             }
         }
     }
-    chosen_ = treeOf(mesh, chosen);
-    others_ = treeOf(mesh, others);
+    chosen_ = treeOf(mesh_, chosen);
+    others_ = treeOf(mesh_, others);
 }
 
 

@@ -171,9 +171,9 @@ nscd::Settings Foam::grainProperties<D>::readContact() const
     (
         dict, "maxSweeps", settings.maxSweeps, 1
     );
-    settings.maxDisplacement = dictionaryInput::getPositiveOrDefault
+    settings.maxDisplacement = dictionaryInput::getScalarOrDefault
     (
-        dict, "maxDisplacement", dimless, settings.maxDisplacement
+        dict, "maxDisplacement", dimless, settings.maxDisplacement, 1e-6
     );
     settings.blocks = dictionaryInput::getLabelOrDefault
     (

@@ -38,6 +38,14 @@ Foam::grainShapes<D>::grainShapes
         for (const point& x : points)
         {
             centres.push_back(space.fromSpace(x));
+            if (!space.holds(x - points[0]))
+            {
+                dictionaryInput::badValue
+                (
+                    shape, "centres", dictionaryInput::written(shape, "centres"),
+                    "points in one plane along that of the mesh"
+                );
+            }
         }
         const scalarList radii
         (
@@ -60,8 +68,8 @@ Foam::grainShapes<D>::grainShapes
         {
             dictionaryInput::badValue
             (
-                shape, "centres", "and 'radii' " + string(err.what()),
-                "as many radii > 0 as there are centres"
+                shape, "centres", dictionaryInput::written(shape, "centres"),
+                "as many radii > 0 as there are centres; " + string(err.what())
             );
         }
         names_.append(name);

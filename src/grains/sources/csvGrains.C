@@ -106,6 +106,10 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
         if (table.found("temperature"))
         {
             result.temperature[i] = table.number("temperature", i);
+            if (result.temperature[i] < 0)
+            {
+                table.badValue("temperature", i, "a value > 0, or 0 for none");
+            }
         }
         if (table.found("shape"))
         {

@@ -14,16 +14,7 @@
 Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
 :
     mesh_(mesh),
-    motion_(grainMotion::New(mesh, g)),
-    cells_(periodicCells::New(motion_->cells())),
-    voidFraction_
-    (
-        voidFractionMethod::New
-        (
-            dictionaryInput::subDict(motion_->coupling(), "voidFraction"),
-            *cells_
-        )
-    )
+    motion_(grainMotion::New(mesh, g))
 {
     if (motion_->conducts())
     {
@@ -33,12 +24,36 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
             << "    allowed: in dryGrainFoam" << exit(FatalIOError);
     }
 
-    if (motion_->openings().size())
-    {
-        openings_.reset(new patchDistance(mesh, motion_->openings()));
-    }
+    setCells();
     map();
     checkLost();
+}
+
+
+void Foam::grainSystem::setCells()
+{
+    voidFraction_.clear();
+    cells_ = periodicCells::New(motion_->cells());
+    voidFraction_ = voidFractionMethod::New
+    (
+        dictionaryInput::subDict(motion_->coupling(), "voidFraction"),
+        *cells_
+    );
+    if (motion_->openings().size())
+    {
+        openings_.reset(new patchDistance(mesh_, motion_->openings()));
+    }
+
+    // Their cells are first tried in the next search
+    overlaps_.clear();
+}
+
+
+void Foam::grainSystem::meshChanged()
+{
+    motion_->meshChanged();
+    setCells();
+    map();
 }
 
 

@@ -59,6 +59,28 @@ void Foam::carriedFields::startStep()
 }
 
 
+void Foam::carriedFields::beforeMeshChange()
+{
+    for (fluidScalar& one : scalars_)
+    {
+        one.beforeMeshChange(*flux_);
+    }
+}
+
+
+void Foam::carriedFields::meshChanged()
+{
+    for (fluidScalar& one : scalars_)
+    {
+        one.meshChanged(*flux_);
+    }
+    if (isActive())
+    {
+        flux_->meshChanged();
+    }
+}
+
+
 void Foam::carriedFields::carry
 (
     const surfaceScalarField& share,

@@ -13,24 +13,6 @@ namespace
 
 using namespace Foam;
 
-volScalarField alphaOf(const exchangeFields& grains)
-{
-    volScalarField alpha("alpha", grains.fluidShare + grains.kappa);
-    forAll(alpha.boundaryField(), patchi)
-    {
-        if
-        (
-            !alpha.boundaryField()[patchi].coupled()
-         && !grains.freePatches.found(patchi)
-        )
-        {
-            alpha.boundaryFieldRef()[patchi] == 1;
-        }
-    }
-    return alpha;
-}
-
-
 volScalarField shareOf(const exchangeFields& grains, const volScalarField& alpha)
 {
     volScalarField share("share", alpha);
@@ -61,6 +43,24 @@ surfaceScalarField throughFaces
     return flux;
 }
 
+}
+
+
+Foam::volScalarField Foam::stepCoefficients::alphaOf(const exchangeFields& grains)
+{
+    volScalarField alpha("alpha", grains.fluidShare + grains.kappa);
+    forAll(alpha.boundaryField(), patchi)
+    {
+        if
+        (
+            !alpha.boundaryField()[patchi].coupled()
+         && !grains.freePatches.found(patchi)
+        )
+        {
+            alpha.boundaryFieldRef()[patchi] == 1;
+        }
+    }
+    return alpha;
 }
 
 

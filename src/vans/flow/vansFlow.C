@@ -60,7 +60,8 @@ Foam::vansFlow::vansFlow
     grains_(grains),
     resolved_(resolved),
     options_(fv::options::New(mesh_)),
-    gh_("gh", (g & mesh_.C()) - ghRef(mesh_, g)),
+    control_(control),
+    g_(g),
     p_
     (
         IOobject
@@ -71,7 +72,7 @@ Foam::vansFlow::vansFlow
             IOobject::NO_READ,
             IOobject::AUTO_WRITE
         ),
-        fields.p_rgh + fluid.rhoWeight()*gh_
+        fields.p_rgh
     ),
     pRefCell_(0),
     pRefValue_(0),
@@ -82,11 +83,20 @@ Foam::vansFlow::vansFlow
         dimensionedVector(dimPressure/dimLength, Zero)
     )
 {
+    setHeight();
+    p_ += fluid.rhoWeight()*gh_();
+
     // Before the first step, for its check of ddtSchemes
     isSecondOrderInTime(mesh_);
 
     setRefCell(p_, fields.p_rgh, control, pRefCell_, pRefValue_);
     mesh_.setFluxRequired(fields.p_rgh.name());
+}
+
+
+void Foam::vansFlow::setHeight()
+{
+    gh_.reset(new volScalarField("gh", (g_ & mesh_.C()) - ghRef(mesh_, g_)));
 }
 
 
@@ -100,6 +110,15 @@ void Foam::vansFlow::startStep()
         )
     );
     setMomentumEquation();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::relativePhiU() const
+{
+    return
+        mesh_.moving()
+      ? fields_.phiU - mesh_.phi()
+      : tmp<surfaceScalarField>(fields_.phiU);
 }
 
 

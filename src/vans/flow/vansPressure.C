@@ -110,14 +110,14 @@ void Foam::vansFlow::setPressure()
     volScalarField& p_rgh = fields_.p_rgh;
     const volScalarField& rho = fluid_.rhoWeight();
 
-    p_ = p_rgh + rho*gh_;
+    p_ = p_rgh + rho*gh_();
     if (p_rgh.needReference())
     {
         p_ += dimensionedScalar
         (
             "p", p_.dimensions(), pRefValue_ - getRefCellValue(p_, pRefCell_)
         );
-        p_rgh = p_ - rho*gh_;
+        p_rgh = p_ - rho*gh_();
 
         // As a restart will find them, not to round-off
         p_rgh.correctBoundaryConditions();

@@ -57,6 +57,35 @@ Foam::fluidScalar::fluidScalar
 }
 
 
+void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)
+{
+    // Registered, so that the change of the mesh maps it
+    content_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                T_.name() + "Content", T_.time().timeName(), T_.mesh()
+            ),
+            flux.fraction()*T_
+        )
+    );
+}
+
+
+void Foam::fluidScalar::meshChanged(const transportFlux& flux)
+{
+    if (T_.mesh().topoChanging())
+    {
+        T_.primitiveFieldRef() =
+            content_().primitiveField()/flux.fraction().primitiveField();
+    }
+    T_.correctBoundaryConditions();
+    content_.clear();
+}
+
+
 Foam::scalar Foam::fluidScalar::integral(const transportFlux& flux) const
 {
     return gSum(flux.volume()*T_.primitiveField());

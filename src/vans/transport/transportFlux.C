@@ -57,7 +57,11 @@ Foam::transportFlux::transportFlux
 :
     mesh_(eps.mesh()),
     eps_(eps),
-    fraction_("fluidFraction", eps + least),
+    fraction_
+    (
+        IOobject("fluidFraction", mesh_.time().timeName(), mesh_),
+        eps + least
+    ),
     oldVolume_(volume()),
     X_
     (
@@ -79,6 +83,7 @@ Foam::transportFlux::transportFlux
         mesh_,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
+    isShareLost_(false),
     defect_(0),
     correction_(0),
     withoutRoom_(0)
@@ -101,6 +106,17 @@ Foam::transportFlux::transportFlux
                 share
             )
         );
+    }
+}
+
+
+void Foam::transportFlux::meshChanged()
+{
+    if (mesh_.topoChanging())
+    {
+        fraction_ == eps_ + least;
+        oldVolume_ = volume();
+        isShareLost_ = true;
     }
 }
 
@@ -172,16 +188,24 @@ void Foam::transportFlux::set
     F_ = share;
     if (lastShare_)
     {
-        F_ = 0.5*(share + *lastShare_);
+        if (!isShareLost_)
+        {
+            F_ = 0.5*(share + *lastShare_);
+        }
         *lastShare_ == share;
+        isShareLost_ = false;
     }
     const surfaceScalarField predicted("predicted", F_);
     scalarField missing(lack(F_, source));
 
     // Corrections of the correction take away what the linear solver left
     scalarField X(X_.primitiveField());
+    // Where X is zero if no boundary gives it: in a cell that is open
+    const label fixed =
+        Pstream::master() ? findMax(fraction_.primitiveField()) : -1;
+
     defect_ = defectOf(missing);
-    for (label i = 0; i < 4 && defect_ > tolerance; ++i)
+    for (label i = 0; i < 6 && defect_ > tolerance; ++i)
     {
         tmp<fvScalarMatrix> tXEqn
         (
@@ -192,6 +216,7 @@ void Foam::transportFlux::set
         );
         fvScalarMatrix& XEqn = tXEqn.ref();
         XEqn.source() += missing;
+        XEqn.setReference(fixed, 0);
         XEqn.solve(solverControls(i == 0 ? 1e-10 : 1e-6));
         F_ -= XEqn.flux();
         if (i == 0)

@@ -5,6 +5,7 @@
 
 #include "foamTest.H"
 
+#include "surfaceGaps.H"
 #include "wallSurface.H"
 
 #include <random>

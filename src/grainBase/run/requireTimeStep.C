@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "timeControl.H"
+#include "requireTimeStep.H"
 
 #include "dictionaryInput.H"
 #include "Time.H"

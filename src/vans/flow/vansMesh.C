@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vansFlow.H"
+
+#include "findRefCell.H"
+#include "fvc.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Velocity on faces with the normal component of a flux
+tmp<surfaceVectorField> withFlux
+(
+    const volVectorField& U,
+    const surfaceScalarField& flux
+)
+{
+    const fvMesh& mesh = U.mesh();
+    tmp<surfaceVectorField> result(fvc::interpolate(U));
+    result.ref() +=
+        mesh.Sf()/sqr(mesh.magSf())*(flux - (mesh.Sf() & result()));
+    return result;
+}
+
+}
+
+
+void Foam::vansFlow::beforeMeshChange()
+{
+    faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
+    faceAlphaU_.reset
+    (
+        withFlux
+        (
+            stepCoefficients::alphaOf(grains_)*fields_.U, fields_.phiAlpha
+        ).ptr()
+    );
+    step_.clear();
+    UEqn_.clear();
+    faces_.clear();
+}
+
+
+void Foam::vansFlow::meshChanged()
+{
+    setHeight();
+    fields_.U.correctBoundaryConditions();
+
+    // The fluxes of the step's beginning, through the faces as they are now
+    if (mesh_.topoChanging())
+    {
+        const volScalarField alpha(stepCoefficients::alphaOf(grains_));
+        fields_.phiU.oldTime() = fvc::flux(fields_.U);
+        fields_.phiAlpha.oldTime() = fvc::flux(alpha*fields_.U);
+        setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
+    }
+    else
+    {
+        fields_.phiU.oldTime() = mesh_.Sf() & faceU_();
+        fields_.phiAlpha.oldTime() = mesh_.Sf() & faceAlphaU_();
+    }
+    fields_.phiU = fields_.phiU.oldTime();
+    fields_.phiAlpha = fields_.phiAlpha.oldTime();
+    faceU_.clear();
+    faceAlphaU_.clear();
+}

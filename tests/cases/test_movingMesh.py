@@ -5,7 +5,7 @@
 import numpy as np
 import pytest
 from grain_box import control, grain_box, lattice, ledger, open_ends, replace
-from sphere_box import decompose
+from sphere_box import field, random_spheres, sphere_box
 
 SPEED = 0.1
 HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
@@ -69,7 +69,7 @@ def shaken_stream(clone, centres, radius, shaken=True):
     return case
 
 
-@pytest.mark.parametrize("radius", [1e-4, 0.022], ids=["unresolved", "resolved"])
+@pytest.mark.parametrize("radius", [1e-5, 0.022], ids=["tiny", "resolved"])
 @pytest.mark.parametrize("scheme", ["Euler", "backward"])
 def test_a_uniform_stream_does_not_see_that_the_mesh_is_shaken(clone, radius, scheme):
     case = shaken_stream(clone, [(0.05, 0.045)], radius)
@@ -95,3 +95,90 @@ def test_grains_that_cross_cells_disturb_a_shaken_mesh_as_they_do_one_at_rest(cl
         disturbed.append(np.abs(case.field("U", case.times[-1])[:, 1] - SPEED).max())
     # Cells are up to a third smaller than at rest
     assert disturbed[1] <= 2 * disturbed[0]
+
+
+REFINEMENT = """
+dynamicFvMesh dynamicRefineFvMesh;
+dynamicRefineFvMeshCoeffs
+{
+    refineInterval  1;
+    field           kappa;
+    lowerRefineLevel 1e-9;
+    upperRefineLevel 1e9;
+    unrefineLevel   1e-12;
+    nBufferLayers   1;
+    maxRefinement   1;
+    maxCells        100000;
+    correctFluxes   ((phi none) (phiU none) (phiAlpha none) (phiFluid none));
+    dumpLevel       true;
+}
+"""
+
+
+def refined_box(clone, scheme="Euler", name=None):
+    """Spheres that fall from all over the box, in cells that are refined where they are."""
+    centres, radii = random_spheres(np.random.default_rng(3), np.full(12, 0.006))
+    case = sphere_box(clone, centres, radii, n=8, name=name)
+    write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
+    text = (case.path / "constant/transportProperties").read_text()
+    (case.path / "constant/transportProperties").write_text(text + "scalars { dye { D 0; } }\n")
+    x, y, z = np.meshgrid(*3 * [(np.arange(8) + 0.5) / 8], indexing="ij")
+    dye = 0.5 + 0.5 * np.sin(7 * x) * np.cos(5 * y) * np.sin(9 * z)
+    values = "\n".join(repr(float(v)) for v in dye.transpose(2, 1, 0).ravel())
+    write(
+        case,
+        "0/dye",
+        "volScalarField",
+        f"dimensions [0 0 0 0 0 0 0]; internalField nonuniform List<scalar> 512\n({values});\n"
+        'boundaryField { ".*" { type zeroGradient; } }\n',
+    )
+    replace(case, "system/fvSchemes", "divSchemes\n{", "divSchemes\n{\n div(phiFluid,dye) Gauss upwind;")
+    solver = "dye { solver PBiCGStab; preconditioner DILU; tolerance 1e-15; relTol 0; maxIter 200; }"
+    replace(case, "system/fvSolution", "solvers\n{", f"solvers\n{{\n{solver}")
+    if scheme != "Euler":
+        replace(case, "system/fvSchemes", "Euler", scheme)
+    control(case, deltaT=2e-3, endTime=0.2, writeInterval=50)
+    return case, dye
+
+
+def contents(case, time):
+    """Volume of the fluid and of the dye in it [m^3]."""
+    V, eps, dye = cell_volumes_at(case, time), field(case, "eps", time), field(case, "dye", time)
+    return np.sum(V * eps), np.sum(V * eps * dye)
+
+
+def cell_volumes_at(case, time):
+    case.run(f"postProcess -func writeCellVolumes -time {time}")
+    return field(case, "V", time)
+
+
+def test_cells_are_refined_where_grains_are(clone):
+    case, dye = refined_box(clone)
+    case.run("grainFoam")
+    cells = [len(field(case, "eps", time)) for time in case.times[1:]]
+    assert min(cells) > 600
+    assert len(set(cells)) > 1
+    book = ledger(case)
+    assert book["mappingError"].max() <= 1e-12
+    assert book["transportDefect"].max() <= 1e-12
+    assert book["carriedUnaccounted"].max() <= 1e-12
+    middle, end = (contents(case, time) for time in case.times[-2:])
+    np.testing.assert_allclose(middle, end, rtol=1e-11)
+    last = field(case, "dye")
+    assert dye.min() - 1e-12 <= last.min() and last.max() <= dye.max() + 1e-12
+
+
+def test_a_patch_that_is_a_wall_of_grains_must_not_leave_them(clone):
+    """Grains would not see it."""
+    case = grain_box(clone, [(0.05, 0.05)])
+    add_motion(
+        case,
+        {
+            "bottom": "type oscillatingDisplacement; amplitude (0 0.02 0); omega 40;"
+            " value uniform (0 0 0);",
+            '"top|left|right"': "type fixedValue; value uniform (0 0 0);",
+        },
+    )
+    assert case.run("grainFoam", check=False) == 1
+    for fragment in ("grainProperties", "Patch 'bottom' has moved by", "'motion'"):
+        assert fragment in case.log

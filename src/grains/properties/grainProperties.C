@@ -45,6 +45,7 @@ Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
     (
         dictionaryInput::subDict(dict_, "walls"), space_, materials_
     ),
+    stillPatches_(dictionaryInput::subDict(dict_, "walls"), mesh),
     contact_(readContact()),
     packingRatio_(readPackingRatio()),
     areFixed_(readFixed()),

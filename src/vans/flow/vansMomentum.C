@@ -7,7 +7,34 @@
 
 #include "vansFlow.H"
 
+#include "ddtScheme.H"
 #include "fvCFD.H"
+
+namespace
+{
+
+//- Rate of change of the cells' volumes by the scheme of U, over the volume
+Foam::tmp<Foam::volScalarField> ddtOfOne(const Foam::volVectorField& U)
+{
+    using namespace Foam;
+    volScalarField one
+    (
+        IOobject("one", U.time().timeName(), U.mesh()),
+        U.mesh(),
+        dimensionedScalar("one", dimless, 1)
+    );
+    for (volScalarField* old = &one; one.nOldTimes() < U.nOldTimes();)
+    {
+        old = &old->oldTime();
+    }
+    return fv::ddtScheme<scalar>::New
+    (
+        U.mesh(), U.mesh().ddtScheme("ddt(U)")
+    ).ref().fvcDdt(one);
+}
+
+}
+
 
 Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 {
@@ -58,8 +85,7 @@ void Foam::vansFlow::setMomentumEquation()
     if (mesh_.moving())
     {
         // A cell whose volume changes keeps its velocity
-        const dimensionedScalar one("one", dimless, 1);
-        UEqn -= fvm::Sp(rho*step.eps*fvc::ddt(one, mesh_), U);
+        UEqn -= fvm::Sp(rho*step.eps*ddtOfOne(U), U);
     }
     if (options_.PtrList<fv::option>::size())
     {

@@ -59,7 +59,9 @@ Foam::fluidScalar::fluidScalar
 
 void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)
 {
-    // Registered, so that the change of the mesh maps it
+    // Registered, so that the change of the mesh maps it; one at a time, as there is
+    // one name
+    content_.clear();
     content_.reset
     (
         new volScalarField
@@ -68,9 +70,11 @@ void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)
             (
                 T_.name() + "Content", T_.time().timeName(), T_.mesh()
             ),
-            flux.fraction()*T_
+            T_.mesh(),
+            T_.dimensions()
         )
     );
+    *content_ == flux.fraction()*T_;
 }
 
 

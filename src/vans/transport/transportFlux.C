@@ -60,9 +60,9 @@ Foam::transportFlux::transportFlux
     fraction_
     (
         IOobject("fluidFraction", mesh_.time().timeName(), mesh_),
-        eps + least
+        mesh_,
+        dimless
     ),
-    oldVolume_(volume()),
     X_
     (
         IOobject
@@ -88,6 +88,8 @@ Foam::transportFlux::transportFlux
     correction_(0),
     withoutRoom_(0)
 {
+    fraction_ == eps + least;
+    oldVolume_ = volume();
     mesh_.setFluxRequired(X_.name());
     if (isSecondOrderInTime(mesh_))
     {

@@ -116,9 +116,15 @@ def test_documented_dictionaries_run(clone):
         for name in names:
             text = (root / "etc/caseDicts" / name).read_text()
             (case.path / folder / name).write_text(text)
+    (case.path / "0/dye").write_text(
+        "FoamFile { version 2.0; format ascii; class volScalarField; object dye; }\n"
+        "dimensions [0 0 0 0 0 0 0]; internalField uniform 1;\n"
+        'boundaryField { frontAndBack { type empty; } ".*" { type zeroGradient; } }\n'
+    )
     case.run("checkGrains")
     case.run("grainFoam")
     assert case.times == ["0", "0.005", "0.01"]
+    assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12
     written = {path.name for path in (case.path / "postProcessing").iterdir()}
     assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "problems"} - (
         set() if "problems" in written else {"problems"}

@@ -11,7 +11,7 @@ Group
 Description
     Dynamics of dry grains in contact and conduction of heat between them:
     discs on a mesh that is one cell thick, spheres on any other; non-smooth
-    contact dynamics (doc/theory.md).  The mesh has patches that can be walls,
+    contact dynamics (doc/theory/contacts.md).  The mesh has patches that can be walls,
     and tells where grains may be.
 
 \*---------------------------------------------------------------------------*/

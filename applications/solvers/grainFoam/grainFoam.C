@@ -14,7 +14,7 @@ Description
     Transient solver for an incompressible fluid, laminar or turbulent, with
     immersed grains in contact: volume-averaged Navier-Stokes equations,
     semi-implicit exchange over the overlaps of grains and cells, non-smooth
-    contact dynamics (doc/theory.md).  PISO algorithm.
+    contact dynamics (doc/theory).  PISO algorithm.
 
 \*---------------------------------------------------------------------------*/
 

@@ -55,7 +55,7 @@ struct Body
 ///
 /// With the normal through both centres the local Delassus operator is diagonal,
 ///     W_NN = 1/m_i + 1/m_j,   W_TT = (1 + 1/inertiaFactor) W_NN,
-/// so that the local Signorini-Coulomb problem has the closed solution of solve().
+/// so that the local Signorini-Coulomb problem has the closed solution of solve() (doc/theory, eq. 5.3 and 5.4).
 template <int D>
 struct Contact
 {
@@ -170,7 +170,7 @@ struct Overlap
 };
 
 /// The frictionless problem push >= 0, w_n + gapVelocity >= 0, complementary, for displacement velocities w that
-/// stand in the bodies' velocity.  Returns the square of W times the change of push [m^2/s^2].
+/// stand in the bodies' velocity (doc/theory, eq. 5.9).  Returns the square of W times the change of push [m^2/s^2].
 template <int D>
 inline double separate(Overlap<D>& o, Body<D>* bodies)
 {

@@ -27,9 +27,10 @@ using Block = Eigen::Matrix<double, D, D>;
 ///     r_N = -(q_N + W_NT r_T)/W_NN,   A r_T = u_T - b,   b = q_T - W_TN q_N/W_NN,   A = W_TT - W_TN W_NT/W_NN,
 ///
 /// sticking is u_T = 0 and sliding u_T = -s r_T with the s > 0 for which |r_T| = mu r_N.  In 2-D r_T has the sign of
-/// -b (Henry 2025, eq. 2.38-2.41, with the signs of 2.39 and 2.40 exchanged).  In 3-D Newton's method, kept between
-/// bounds, finds s; it is one step when A is a multiple of the identity.  It starts from the guess, e.g. the impulse
-/// of the last sweep, which changes the time it takes but, where there is one solution, not the result.
+/// -b (doc/theory, eq. 5.5; Henry 2025, eq. 2.38-2.41, with the signs of 2.39 and 2.40 exchanged).  In 3-D Newton's
+/// method, kept between bounds, finds s; it is one step when A is a multiple of the identity.  It starts from the
+/// guess, e.g. the impulse of the last sweep, which changes the time it takes but, where there is one solution, not
+/// the result.
 template <int D>
 Vector<D> solveLocal(const Block<D>& W, const Vector<D>& q, double mu, const Vector<D>& guess = Vector<D>::Zero());
 

@@ -27,7 +27,7 @@ struct Settings
     /// Sweeps after which a step is accepted as it is (the report says so).
     int maxSweeps = 200;
 
-    /// A sub-step moves no grain by more than this fraction of the smallest diameter.
+    /// A sub-step moves no grain by more than this fraction of the smallest diameter (doc/theory, eq. 5.6).
     double maxDisplacement = 0.5;
 
     /// Number of spatial blocks, a power of two. The result depends on it, but not on the number of ranks.
@@ -58,7 +58,7 @@ struct StepReport
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
     double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
-                                  ///< would have moved; never positive without driven walls [J]
+                                  ///< would have moved; never positive without driven walls [J] (doc/theory, eq. 5.7)
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };
@@ -70,7 +70,7 @@ struct StepReport
 /// velocities that these leave.
 /// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
 /// velocity and no impulse from it.  A contact that carried an impulse in the step before lets its grains approach
-/// again only once its gap exceeds 0.5 % of the smaller radius.
+/// again only once its gap exceeds 0.5 % of the smaller radius.  See doc/theory, eq. 5.1, 5.2, 5.8 and 5.9.
 ///
 /// Every rank holds the state of all grains; the contact problem is shared out over the ranks by spatial blocks.
 /// The result is the same, bit for bit, for every number of ranks.  Works without MPI_Init on one rank.

@@ -33,7 +33,7 @@ ConductanceLaw defaultConductance()
 }
 
 /// Conduction of heat between grains, each of one temperature, through their contacts (Henry 2025, section 4.1.1, with
-/// the sign that warms the colder grain):
+/// the sign that warms the colder grain; doc/theory, eq. 6.1):
 ///     m_i c_i dT_i/dt = sum_j H_ij (T_j - T_i).
 ///
 /// Advanced by the implicit Euler method.  For every time step no grain leaves the range of its neighbours' and its own

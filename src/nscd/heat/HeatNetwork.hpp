@@ -24,7 +24,8 @@ public:
         outlets_.push_back({i, reservoir, conductance, temperature});
     }
 
-    /// One step of dt [s] by the implicit Euler method; adds to 'given' what each reservoir gave [J].
+    /// One step of dt [s] by the implicit Euler method (doc/theory, eq. 6.8); adds to 'given' what each reservoir
+    /// gave [J].
     void advance(std::vector<double>& temperature, std::vector<double>& given, double dt) const;
 
 private:

@@ -30,23 +30,24 @@ struct ThermalContact
 /// Grains are small against the distance over which the temperature varies, and contacts small against grains.
 using ConductanceLaw = std::function<double(const ThermalContact&)>;
 
-/// 2/(1/k_i + 1/k_j) [W/m/K].
+/// 2/(1/k_i + 1/k_j) [W/m/K] (doc/theory, eq. 6.2).
 double meanConductivity(const ThermalContact& contact);
 
-/// Hertz's E*: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j [Pa].
+/// Hertz's E*: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j [Pa] (doc/theory, eq. 6.2).
 double effectiveModulus(const ThermalContact& contact);
 
-/// R*: 1/R* = 1/R_i + 1/R_j [m].
+/// R*: 1/R* = 1/R_i + 1/R_j [m] (doc/theory, eq. 6.2).
 double effectiveRadius(const ThermalContact& contact);
 
 /// Radius a of the circle in which two spheres touch: a^3 = 3 F R*/(4 E*) [m] (Johnson, Contact Mechanics, 1985,
-/// eq. 4.22).
+/// eq. 4.22; doc/theory, eq. 6.3).
 double hertzRadius(const ThermalContact& contact);
 
-/// Half width b of the strip in which two cylinders touch: b^2 = 4 F R*/(pi L E*) [m] (Johnson, eq. 4.43).
+/// Half width b of the strip in which two cylinders touch: b^2 = 4 F R*/(pi L E*) [m] (Johnson, eq. 4.43;
+/// doc/theory, eq. 6.3).
 double hertzHalfWidth(const ThermalContact& contact);
 
-/// Conductance laws.
+/// Conductance laws (doc/theory, eq. 6.4 to 6.7).
 namespace conductance
 {
 

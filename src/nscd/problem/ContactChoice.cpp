@@ -21,7 +21,7 @@ constexpr double largestPush = 0.1;
 
 /// A contact that carried an impulse in the last sub-step may open by this fraction of the smaller radius before its
 /// grains may approach again.  Otherwise the gaps that the removal of overlaps opens next to them close under the
-/// load, step after step, and a deep pile whose impulses do not converge sinks into itself.
+/// load, step after step, and a deep pile whose impulses do not converge sinks into itself (doc/theory, eq. 5.8).
 constexpr double slack = 5e-3;
 
 template <int D>

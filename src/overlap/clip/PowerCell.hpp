@@ -33,7 +33,7 @@ struct Sphere
 /// The part of a union of discs or balls that is member i's own: within its power cell, the points whose power
 /// |x - centre|^2 - radius^2 is smaller than with respect to any other member.  A point of the union is in the member
 /// of smallest power, so that the members' parts fill the union and do not overlap; what is cut off by a boundary
-/// between two power cells is the plane of the circle in which their spheres meet.
+/// between two power cells is the plane of the circle in which their spheres meet (doc/theory, eq. 1.8).
 ///
 /// Returns the half-spaces that cut the member, or nothing if no part of it is its own.  Of equal members the first
 /// counts.

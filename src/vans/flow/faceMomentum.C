@@ -43,7 +43,7 @@ tmp<surfaceScalarField> changeOfOldFlux
     {
         // Drag and viscosity bring the flux of a face to that of its cells.  With
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
-        // the time step.
+        // the time step (doc/theory, eq. 3.14).
         return
             fvc::interpolate(step.eps*rho/(A*deltaT))
            *(phiU.oldTime() - fvc::flux(U.oldTime()))/deltaT;

@@ -13,7 +13,7 @@ namespace
 
 using namespace Foam;
 
-//- Velocity on faces with the normal component of a flux
+//- Velocity on faces with the normal component of a flux (doc/theory, eq. 2.31)
 tmp<surfaceVectorField> withFlux
 (
     const volVectorField& U,

@@ -22,7 +22,7 @@ def ergun(eps, reynolds):
 
 
 def dallavalle_di_felice(eps, reynolds):
-    """The same of the default law, doc/theory.md section 3."""
+    """The same of the default law, doc/theory, eq. 4.1 and 4.2."""
     exponent = 2.8 - 0.65 * np.exp(-0.5 * (1.5 - np.log10(reynolds)) ** 2)
     gamma = eps**-exponent * 0.75 * (0.63 * np.sqrt(reynolds) + 4.8) ** 2
     return (1 - eps) / eps**2 * gamma / reynolds

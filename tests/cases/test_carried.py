@@ -145,7 +145,7 @@ def test_periodic_box(clone, size, D):
 FEEDS = {
     "patch": f"type patches; patches (bottom); velocity (0 {2 * SPEED} 0); numberRate 40;",
     "inside": "type box; box (0.01 0.01 0) (0.09 0.07 0.01); numberRate 40;",
-    "resolved": f"type patches; patches (bottom); velocity (0 {2 * SPEED} 0); numberRate 2;",
+    "resolved": f"type patches; patches (bottom); velocity (0 {2 * SPEED} 0); numberRate 4;",
 }
 
 
@@ -169,7 +169,7 @@ def through(clone, feed, D=0, name=None):
         f" value uniform {LOW}; }}"
     )
     add_dye(case, 100, D, patches)
-    control(case, deltaT=1e-2, endTime=1.6, writeInterval=5)
+    control(case, deltaT=1e-2, endTime=2.6, writeInterval=5)
     return case
 
 

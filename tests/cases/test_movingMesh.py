@@ -120,8 +120,8 @@ def refined_box(clone, scheme="Euler", name=None):
     centres, radii = random_spheres(np.random.default_rng(3), np.full(12, 0.006))
     case = sphere_box(clone, centres, radii, n=8, name=name)
     write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
-    text = (case.path / "constant/transportProperties").read_text()
-    (case.path / "constant/transportProperties").write_text(text + "scalars { dye { D 0; } }\n")
+    file = case.path / "constant/transportProperties"
+    file.write_text(file.read_text() + "scalars { dye { D 0; } }\n")
     x, y, z = np.meshgrid(*3 * [(np.arange(8) + 0.5) / 8], indexing="ij")
     dye = 0.5 + 0.5 * np.sin(7 * x) * np.cos(5 * y) * np.sin(9 * z)
     values = "\n".join(repr(float(v)) for v in dye.transpose(2, 1, 0).ravel())
@@ -132,8 +132,9 @@ def refined_box(clone, scheme="Euler", name=None):
         f"dimensions [0 0 0 0 0 0 0]; internalField nonuniform List<scalar> 512\n({values});\n"
         'boundaryField { ".*" { type zeroGradient; } }\n',
     )
-    replace(case, "system/fvSchemes", "divSchemes\n{", "divSchemes\n{\n div(phiFluid,dye) Gauss upwind;")
-    solver = "dye { solver PBiCGStab; preconditioner DILU; tolerance 1e-15; relTol 0; maxIter 200; }"
+    scheme = "div(phiFluid,dye) Gauss upwind;"
+    replace(case, "system/fvSchemes", "divSchemes\n{", f"divSchemes\n{{\n{scheme}")
+    solver = "dye { solver PBiCGStab; preconditioner DILU; tolerance 1e-15; relTol 0; }"
     replace(case, "system/fvSolution", "solvers\n{", f"solvers\n{{\n{solver}")
     if scheme != "Euler":
         replace(case, "system/fvSchemes", "Euler", scheme)

@@ -13,9 +13,18 @@ void Foam::contactReport::print(const nscd::StepReport& step)
     Info<< "Contacts  " << label(step.active) << " active of "
         << label(step.contacts) << " possible, " << label(step.subSteps)
         << " sub-steps, " << label(step.sweeps) << " sweeps, residual "
-        << step.residual << " m/s" << (step.converged ? "" : " (sweep limit)")
-        << nl
-        << "          worst overlap " << step.worstOverlap << " m, mean "
+        << step.residual << " m/s" << (step.converged ? "" : " (not converged)")
+        << nl;
+    if (step.impacts)
+    {
+        Info<< "          " << label(step.impacts) << " impacts, "
+            << label(step.exhausted) << " contacts with too many" << nl;
+    }
+    if (step.leftOverlap > 0 && !step.converged)
+    {
+        Info<< "          overlap not removed " << step.leftOverlap << " m" << nl;
+    }
+    Info<< "          worst overlap " << step.worstOverlap << " m, mean "
         << step.meanOverlap << " m, fastest grain " << step.maxVelocity
         << " m/s" << nl;
 }

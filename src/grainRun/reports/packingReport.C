@@ -8,6 +8,7 @@
 #include "grainChecks.H"
 #include "volFields.H"
 
+#include <cmath>
 #include <numeric>
 
 template<int D>
@@ -65,6 +66,50 @@ void Foam::printPacking
 }
 
 
+namespace Foam
+{
+
+//- Of all grains and free walls, of which any two may meet
+template<int D>
+scalar massRatio(const grainProperties<D>& properties, const nscd::Grains<D>& grains)
+{
+    scalar smallest = GREAT, largest = 0;
+    for (const scalar m : grains.mass)
+    {
+        smallest = min(smallest, m);
+        largest = max(largest, m);
+    }
+    for (const auto& body : properties.walls().bodies())
+    {
+        if (std::isfinite(body.mass))
+        {
+            smallest = min(smallest, body.mass);
+            largest = max(largest, body.mass);
+        }
+    }
+    return largest > 0 ? largest/smallest : 1;
+}
+
+
+//- Warn of a solver that cannot cope with them (doc/theory.md, Solvers)
+template<int D>
+void checkMassRatio(const grainProperties<D>& properties, const nscd::Grains<D>& grains)
+{
+    const bool accelerated = properties.contact().solver == nscd::Solver::sweeps;
+    const scalar limit = accelerated ? 1e6 : 1e3;
+    const scalar ratio = massRatio(properties, grains);
+    if (ratio > limit)
+    {
+        Info<< "Warning: masses of grains and free walls differ by a factor of "
+            << ratio << "; where heavy ones rest on light ones the solver"
+            << " converges up to " << limit
+            << (accelerated ? "" : ", 'sweeps' up to 1e6") << endl;
+    }
+}
+
+} // End namespace Foam
+
+
 template<int D>
 void Foam::printWalls(const grainWalls<D>& walls)
 {
@@ -112,6 +157,7 @@ bool Foam::printFaults
         << ", worst " << worst << " m; above 'allowedOverlap' "
         << properties.allowedOverlap() << " of a diameter: "
         << label(refused.size()) << endl;
+    checkMassRatio(properties, grains);
 
     return outside.empty() && refused.empty();
 }

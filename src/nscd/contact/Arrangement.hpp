@@ -46,11 +46,12 @@ public:
         {
             ofCluster_.push_back(grains.shape[members.grain(order[k])] >= 0);
         }
-        move(grains, members, candidates);
+        move(grains.position, grains.orientation, members, candidates);
     }
 
     /// Take over positions.
-    void move(const Grains<D>& grains, const Members<D>& members, const Candidates<D>& candidates)
+    void move(const Vectors<D>& positions, const Orientations<D>& orientations, const Members<D>& members,
+              const Candidates<D>& candidates)
     {
         const std::vector<int>& order = candidates.memberOrder();
         position_.resize(order.size());
@@ -58,10 +59,10 @@ public:
         for (std::size_t k = 0; k < order.size(); ++k)
         {
             const int grain = members.grain(order[k]);
-            position_[k] = grains.position[grain];
+            position_[k] = positions[grain];
             if (!members.simple())
             {
-                arm_[k] = members.arm(order[k], grains.orientation[grain]);
+                arm_[k] = members.arm(order[k], orientations[grain]);
                 position_[k] += arm_[k];
             }
         }
@@ -149,6 +150,9 @@ public:
     {
         return pair.second < 0 ? radius_[pair.first] : std::min(radius_[pair.first], radius_[pair.second]);
     }
+
+    /// R_i + R_j of two members [m].
+    double sumOfRadii(const Pair& pair) const { return radius_[pair.first] + radius_[pair.second]; }
 
     /// R with 1/R = 1/R_i + 1/R_j [m].
     double effectiveRadius(const Pair& pair) const

@@ -118,6 +118,9 @@ inline Vector<3> limited(const Vector<3>& tangential, double bound)
 inline double squaredNorm(double t) { return t * t; }
 inline double squaredNorm(const Vector<3>& t) { return t.squaredNorm(); }
 
+inline double product(double a, double b) { return a * b; }
+inline double product(const Vector<3>& a, const Vector<3>& b) { return a.dot(b); }
+
 /// Give the two bodies an impulse.
 template <int D>
 inline void apply(const Contact<D>& c, Body<D>& a, Body<D>& b, double normal, const Tangent<D>& tangential)

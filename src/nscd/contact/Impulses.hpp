@@ -19,6 +19,17 @@ struct Impulse
     double age = 0;   ///< how long the contact has carried an impulse without a break [s]
 };
 
+/// What the impacts of a pair gave to the second body in a sub-step.
+template <int D>
+struct PairImpulse
+{
+    std::size_t pair;
+    Vector<D> normal;    ///< at the beginning of the sub-step
+    double gap;          ///< at the beginning of the sub-step [m]
+    Vector<D> impulse;   ///< [N s]
+    double pressing;     ///< sum of the normal impulses [N s]
+};
+
 /// An impulse that outlives the candidate list: named by user's numbers of members, a < b, or by a member and wall ~b,
 /// and meaning the impulse on b.
 template <int D>

@@ -81,8 +81,7 @@ Schedule<D>::Schedule(const Candidates<D>& candidates, const Communicator& commu
             }
             else if (worker == self || lender == self)
             {
-                round.loans.push_back({groupOf[key], worker == self ? lender : worker, key, grainsOf[key],
-                                       std::vector<Body<D>>(grainsOf[key].size())});
+                round.loans.push_back({groupOf[key], worker == self ? lender : worker, key, grainsOf[key], {}});
             }
         }
     }
@@ -107,28 +106,6 @@ void Schedule<D>::refresh(std::vector<Body<D>>& bodies)
     forLoans(true, [&](Loan& loan) { send(loan, bodies); });
     forLoans(false, [&](Loan& loan) { receive(loan, bodies); });
     forLoans(true, [](Loan& loan) { MPI_Wait(&loan.sent, MPI_STATUS_IGNORE); });
-}
-
-template <int D>
-void Schedule<D>::send(Loan& loan, const std::vector<Body<D>>& bodies)
-{
-    for (std::size_t k = 0; k < loan.grains.size(); ++k)
-    {
-        loan.bodies[k] = bodies[loan.grains[k]];
-    }
-    MPI_Isend(loan.bodies.data(), loan.bytes(), MPI_BYTE, loan.rank, loan.tag, communicator_->handle(), &loan.sent);
-}
-
-template <int D>
-void Schedule<D>::receive(Loan& loan, std::vector<Body<D>>& bodies)
-{
-    MPI_Wait(&loan.sent, MPI_STATUS_IGNORE);   // our own message, still in the same buffer
-    MPI_Recv(loan.bodies.data(), loan.bytes(), MPI_BYTE, loan.rank, loan.tag, communicator_->handle(),
-             MPI_STATUS_IGNORE);
-    for (std::size_t k = 0; k < loan.grains.size(); ++k)
-    {
-        bodies[loan.grains[k]] = loan.bodies[k];
-    }
 }
 
 template class Schedule<2>;

@@ -6,6 +6,8 @@
 #include "nscd/contact/Candidates.hpp"
 #include "nscd/contact/Contact.hpp"
 
+#include <cstring>
+
 namespace nscd
 {
 
@@ -14,7 +16,8 @@ std::vector<std::vector<std::pair<int, int>>> colourEdges(const std::vector<std:
 
 /// The order in which one pass goes through all groups of contacts, the same for every number of ranks: insides of
 /// blocks first, then pairs of blocks round by round.  A pair is worked on by the rank of its lower block, to which
-/// the rank of the higher block lends the velocities of the grains at the interface.
+/// the rank of the higher block lends what is known of the grains at the interface: one record per body, of any type
+/// that may be copied byte by byte.
 template <int D>
 class Schedule
 {
@@ -24,8 +27,8 @@ public:
 
     /// Call work(g) for each of this rank's groups, g an index into the candidates' groups.  Bodies of this rank's
     /// blocks are up to date afterwards.  Collective.
-    template <class Work>
-    void pass(std::vector<Body<D>>& bodies, Work&& work);
+    template <class Record, class Work>
+    void pass(std::vector<Record>& bodies, Work&& work);
 
     /// Bring the bodies of all pairs that this rank lists up to date.  Collective.
     void refresh(std::vector<Body<D>>& bodies);
@@ -38,10 +41,10 @@ private:
         int rank;                ///< the other one
         int tag;
         std::vector<int> grains;
-        std::vector<Body<D>> bodies;
+        std::vector<char> buffer;
         MPI_Request sent = MPI_REQUEST_NULL;
 
-        int bytes() const { return static_cast<int>(bodies.size() * sizeof(Body<D>)); }
+        int bytes() const { return static_cast<int>(buffer.size()); }
     };
 
     struct Round
@@ -50,8 +53,11 @@ private:
         std::vector<Loan> loans;
     };
 
-    void send(Loan& loan, const std::vector<Body<D>>& bodies);
-    void receive(Loan& loan, std::vector<Body<D>>& bodies);
+    template <class Record>
+    void send(Loan& loan, const std::vector<Record>& bodies);
+
+    template <class Record>
+    void receive(Loan& loan, std::vector<Record>& bodies);
 
     const Communicator* communicator_;
     std::vector<int> insides_;
@@ -59,8 +65,8 @@ private:
 };
 
 template <int D>
-template <class Work>
-void Schedule<D>::pass(std::vector<Body<D>>& bodies, Work&& work)
+template <class Record, class Work>
+void Schedule<D>::pass(std::vector<Record>& bodies, Work&& work)
 {
     for (const int group : insides_)
     {
@@ -96,6 +102,34 @@ void Schedule<D>::pass(std::vector<Body<D>>& bodies, Work&& work)
             }
             MPI_Wait(&loan.sent, MPI_STATUS_IGNORE);
         }
+    }
+}
+
+template <int D>
+template <class Record>
+void Schedule<D>::send(Loan& loan, const std::vector<Record>& bodies)
+{
+    loan.buffer.resize(loan.grains.size() * sizeof(Record));
+    for (std::size_t k = 0; k < loan.grains.size(); ++k)
+    {
+        std::memcpy(loan.buffer.data() + k * sizeof(Record), static_cast<const void*>(&bodies[loan.grains[k]]),
+                    sizeof(Record));
+    }
+    MPI_Isend(loan.buffer.data(), loan.bytes(), MPI_BYTE, loan.rank, loan.tag, communicator_->handle(), &loan.sent);
+}
+
+template <int D>
+template <class Record>
+void Schedule<D>::receive(Loan& loan, std::vector<Record>& bodies)
+{
+    MPI_Wait(&loan.sent, MPI_STATUS_IGNORE);   // our own message, still in the same buffer
+    loan.buffer.resize(loan.grains.size() * sizeof(Record));
+    MPI_Recv(loan.buffer.data(), loan.bytes(), MPI_BYTE, loan.rank, loan.tag, communicator_->handle(),
+             MPI_STATUS_IGNORE);
+    for (std::size_t k = 0; k < loan.grains.size(); ++k)
+    {
+        std::memcpy(static_cast<void*>(&bodies[loan.grains[k]]), loan.buffer.data() + k * sizeof(Record),
+                    sizeof(Record));
     }
 }
 

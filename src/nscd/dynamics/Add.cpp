@@ -28,6 +28,7 @@ void ContactDynamics<D>::Implementation::add(const Grains<D>& more)
 
     measureGrains();
     problem_.clear();
+    impacts_.clear();
     rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
     candidateWalls_ = wallBodies_;
 }

@@ -46,15 +46,19 @@ struct StepReport
     std::size_t contacts = 0;     ///< contacts in the last contact problem (pairs that may touch within the step)
     std::size_t active = 0;       ///< contacts with a non-zero impulse after the last sub-step
     int subSteps = 0;
+    std::size_t impacts = 0;      ///< at contacts with restitution, of all ranks
+    std::size_t exhausted = 0;    ///< contacts that had so many impacts that those after them are plastic
     int sweeps = 0;               ///< passes over the contacts, summed over the sub-steps
     std::size_t solves = 0;       ///< local solutions, of all ranks
-    bool converged = true;        ///< every sub-step reached the tolerance
+    bool converged = true;        ///< in every sub-step impulses and displacements are within the tolerance, and no
+                                  ///< overlap is so deep (0.1 of the smaller radius) that it takes several steps
     double residual = 0;          ///< worst natural-map residual at the end of a sub-step [m/s]
+    double leftOverlap = 0;       ///< worst that displacements should have removed and have not [m]
     double worstOverlap = 0;      ///< deepest penetration of the final positions [m]
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
     double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
-                                  ///< would have moved; never positive without restitution or moving walls [J]
+                                  ///< would have moved; never positive without driven walls [J]
                                   ///< (doc/theory, eq. 5.7)
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
@@ -63,6 +67,8 @@ struct StepReport
 /// Grains and walls in frictional contact (Signorini-Coulomb, time stepping after
 /// Moreau and Jean; Henry 2025, chapter 2), advanced by warm-started non-linear Gauss-Seidel:
 ///     r_n >= 0,  u_n + max(gap, 0)/dt >= 0,  complementary,  and  |r_t| <= mu r_n.
+/// Where there is restitution, bodies first fly from impact to impact (see Impacts.hpp), and contacts begin with the
+/// velocities that these leave.
 /// Overlaps are taken away by displacements, in frictionless sweeps after the impulses are known; grains gain no
 /// velocity and no impulse from it.  A contact that carried an impulse in the step before lets its grains approach
 /// again only once its gap exceeds 0.5 % of the smaller radius.  See doc/theory, eq. 5.1, 5.2, 5.8 and 5.9.
@@ -118,7 +124,8 @@ public:
 
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
-    /// Throws std::runtime_error when a value turns out not to be finite; the message names the grain.
+    /// Throws std::runtime_error when a value turns out not to be finite, or a grain's centre has been pressed through
+    /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
     /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.

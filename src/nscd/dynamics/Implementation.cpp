@@ -123,7 +123,7 @@ template <int D>
 std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::ownContacts() const
 {
     std::vector<ContactForce<D>> mine = contactsOfOthers_;
-    for (ContactForce<D> c : problem_.forces())
+    for (ContactForce<D> c : problem_.forces(impacts_.impulses()))
     {
         c.first = members_.grain(candidates_.memberOrder()[c.first]);
         c.second = c.second < 0 ? c.second : members_.grain(candidates_.memberOrder()[c.second]);

@@ -6,6 +6,7 @@
 #include "nscd/base/Stopwatch.hpp"
 #include "nscd/dynamics/ContactDynamics.hpp"
 #include "nscd/dynamics/State.hpp"
+#include "nscd/impact/Impacts.hpp"
 #include "nscd/problem/ContactProblem.hpp"
 
 namespace nscd
@@ -52,6 +53,9 @@ private:
     /// A list of candidates made for grains at rest holds until one has moved by half this fraction of the mean radius.
     static constexpr double restSkin = 0.3;
 
+    /// Ratio of neighbours' masses up to which plain sweeps do well.
+    static constexpr double evenMasses = 100;
+
     void measureGrains();
     void measureWalls();
     void checkWallBody(int body, bool free, bool finite) const;
@@ -71,6 +75,35 @@ private:
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(double dt);
 
+    /// Impacts of the sub-step: flights from one to the next until its end, with candidates that cover them.
+    /// Velocities without contacts are those after them from then on.
+    void collide(double dt, StepReport& report);
+
+    /// Let bodies fly with their velocities without contacts and collide.  False, and nothing done, when there are no
+    /// impacts.  Collective.
+    bool fly(double dt);
+    void passWindow(double until);
+    void launch(double dt);
+
+    /// Are the flights within what the candidates cover?  Gives the longest way since they were listed [m].
+    bool flightsAreCovered(double dt, double& farthest) const;
+
+    /// Take over velocities and offsets of the flights.
+    void land(double dt);
+
+    /// Arrange bodies that had impacts where their flight would end (see BodyData).
+    void placeAtEnds(double dt);
+
+    /// Throws std::runtime_error on all ranks, one of which has such grains.  Collective.
+    [[noreturn]] void refusePassedWalls(const std::vector<PassedWall>& mine, const StepReport& report) const;
+
+    /// Largest ratio of the masses of two bodies that may meet.  Collective.
+    double unevenness() const;
+    double massOfFreeWall(int body) const;
+
+    /// Is it so large that plain sweeps take too long?
+    bool isUneven() const { return settings_.solver == Solver::sweeps && unevenness_ > evenMasses; }
+
     /// One pass of the chosen solver over all groups; its largest change is that of all ranks.  Collective.
     Change pass(double tolerance);
 
@@ -80,7 +113,8 @@ private:
     /// Displacements over dt that take overlaps away without touching the grains' velocity.  (With the correction
     /// inside the impulses, warm-started sweeps that do not converge make a deep pile bounce for ever: the correction
     /// would have to be slower than the sweeps carry impulses through the pile.)
-    void separate(double dt, bool converged);
+    /// False when the sweeps run out.
+    bool separate(double dt, bool converged, StepReport& report);
 
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);
@@ -112,10 +146,14 @@ private:
     Members<D> members_;
     double smallestRadius_ = 0, meanRadius_ = 0;
     Candidates<D> candidates_;
+    double unevenness_ = 1;
     FreeMotion free_;                    ///< of the present sub-step
     BodyData<D> data_;
     std::unique_ptr<Schedule<D>> schedule_;
     ContactProblem<D> problem_{arrangement_, candidates_, wallBodies_, data_};
+    Impacts<D> impacts_{arrangement_, candidates_, wallBodies_, data_};
+    std::vector<Flyer<D>> flyers_;
+    std::vector<Launch<D>> launches_;
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
     std::vector<Body<D>> bodies_;
     std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps

@@ -5,6 +5,7 @@
 
 #include "nscd/contact/LeveredContact.hpp"
 #include "nscd/shape/Grains.hpp"
+#include "nscd/walls/Walls.hpp"
 
 namespace nscd
 {
@@ -115,6 +116,36 @@ Turning<D> turningOf(const Grains<D>& grains, std::size_t i)
     return {grains.radius[i], grains.shape[i] < 0 ? SpinMatrix<D>(inverse.asDiagonal())
                                                   : inSpace(grains.orientation[i], inverse)};
 }
+
+/// Speed of the surface of a grain, or of a point at a distance of 'radius', due to spin [m/s].
+template <int D>
+Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
+{
+    if constexpr (D == 2)
+    {
+        return radius * spin[0];
+    }
+    else
+    {
+        return radius * spin;
+    }
+}
+
+/// Motion of a free wall body under its load alone.
+template <int D>
+struct FreeWall
+{
+    FreeWall(const WallBody<D>& wall, double dt)
+        : turning{1, inSpace(wall.orientation, Spin<D>(wall.inertia.cwiseInverse()))},
+          velocity(wall.velocity + dt / wall.mass * wall.force),
+          spin(wall.spin + dt * turning.inverse * wall.torque)
+    {
+    }
+
+    Turning<D> turning;
+    Vector<D> velocity;
+    Spin<D> spin;
+};
 
 /// Turn a grain by its spin over dt.  The angular momentum stays, and with it the spin of a disc or sphere; that of a
 /// cluster follows its axes (the gyroscopic term of Euler's equations, explicit midpoint rule).

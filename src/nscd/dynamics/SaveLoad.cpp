@@ -160,6 +160,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     measureGrains();
     restoreWalls(state);
     problem_.clear();
+    impacts_.clear();
     contactsOfOthers_.clear();
     rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateSkin, state.impulses);
     arrangement_.walls().place(initialWallBodies_, wallBodies_);

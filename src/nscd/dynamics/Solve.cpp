@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// ContactDynamics' passes over the contact problem until its residual is small.
+// ContactDynamics' passes over the contact problem until its residual is small, and those that remove overlaps.
 
 #include "nscd/dynamics/Implementation.hpp"
 
@@ -13,6 +13,10 @@ namespace nscd
 namespace
 {
 
+/// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
+/// disturbs the force network; it must happen more slowly than the sweeps restore it.
+constexpr double cautiousShare = 0.1;
+
 /// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
 constexpr int firstLook = 4;
 
@@ -23,8 +27,11 @@ constexpr double waiting = 0.3;
 /// plain sweeps.
 constexpr double momentumUntil = 0.75;
 
+/// Sweeps from which on Anderson's acceleration mixes, and those at the end that it leaves to plain sweeps.
+constexpr int firstMixing = 6, lastPlain = 2;
+
 /// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before
-/// (doc/theory, eq. 5.13).
+/// (doc/theory, eq. 5.16).
 class Momentum
 {
 public:
@@ -95,8 +102,15 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
     {
         problem_.remember(bodies_);
     }
+    Anderson anderson(communicator_, candidates_.blocks());
+    Unknowns before, swept;
     for (int sweeps = 1; sweeps <= settings_.maxSweeps; ++sweeps)
     {
+        const bool mixes = isUneven() && sweeps >= firstMixing && sweeps < settings_.maxSweeps - lastPlain;
+        if (mixes)
+        {
+            problem_.get(before, bodies_, false, own[rank], own[rank + 1]);
+        }
         const Change done = pass(tolerance);
         const double change = std::sqrt(done.largest);
         solves_ += done.solves;
@@ -116,6 +130,7 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
             {
                 problem_.store(impulses_);
                 problem_.choose(bodies_, impulses_);
+                anderson.restart();
                 if (accelerated)
                 {
                     momentum.restart();
@@ -123,6 +138,12 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
                 }
                 continue;
             }
+        }
+        if (mixes)
+        {
+            problem_.get(swept, bodies_, false, own[rank], own[rank + 1]);
+            anderson.mix(before.values, swept.values, swept.weights, swept.ranges);
+            problem_.set(swept, bodies_, false, own[rank], own[rank + 1]);
         }
         if (accelerated && sweeps < momentumUntil * settings_.maxSweeps)
         {
@@ -135,9 +156,64 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
     return residual <= tolerance;
 }
 
+template <int D>
+bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, StepReport& report)
+{
+    displacements_.clear();
+    const double tolerance = settings_.tolerance / dt;
+    const double share = converged ? 1 : cautiousShare;
+    const double worst = communicator_.max(problem_.measureOverlaps(bodies_, share));
+    if (worst <= tolerance)
+    {
+        return true;
+    }
+    displacements_ = bodies_;
+    for (Body<D>& body : displacements_)
+    {
+        body.velocity.setZero();
+    }
+    const std::size_t begin = candidates_.rankBegin()[communicator_.rank()];
+    const std::size_t end = candidates_.rankBegin()[communicator_.rank() + 1];
+    Anderson anderson(communicator_, candidates_.blocks());
+    Unknowns before, swept;
+    const int maxSweeps = std::max(1, isUneven() ? settings_.maxSweeps : settings_.maxSweeps / 4);
+    double residual = 0;
+    for (int sweeps = 1; sweeps <= maxSweeps; ++sweeps)
+    {
+        const bool mixes = isUneven() && sweeps >= firstMixing && sweeps < maxSweeps - lastPlain;
+        if (mixes)
+        {
+            problem_.get(before, displacements_, true, begin, end);
+        }
+        double change = 0;
+        schedule_->pass(displacements_,
+                        [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
+        if (std::sqrt(communicator_.max(change)) <= tolerance || sweeps == maxSweeps)
+        {
+            schedule_->refresh(displacements_);
+            residual = communicator_.max(problem_.separationResidual(displacements_));
+            if (residual <= tolerance)
+            {
+                break;
+            }
+        }
+        if (mixes)
+        {
+            problem_.get(swept, displacements_, true, begin, end);
+            anderson.mix(before.values, swept.values, swept.weights, swept.ranges);
+            problem_.set(swept, displacements_, true, begin, end);
+        }
+    }
+    communicator_.share(displacements_, candidates_.rankBegin());
+    report.leftOverlap = std::max(report.leftOverlap, dt * (residual + (1 - share) * worst));
+    return residual <= tolerance;
+}
+
 template Change ContactDynamics<2>::Implementation::pass(double);
 template Change ContactDynamics<3>::Implementation::pass(double);
 template bool ContactDynamics<2>::Implementation::solve(double, StepReport&);
 template bool ContactDynamics<3>::Implementation::solve(double, StepReport&);
+template bool ContactDynamics<2>::Implementation::separate(double, bool, StepReport&);
+template bool ContactDynamics<3>::Implementation::separate(double, bool, StepReport&);
 
 }  // namespace nscd

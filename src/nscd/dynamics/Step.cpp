@@ -116,7 +116,7 @@ void ContactDynamics<D>::Implementation::setFreeMotion(const Vectors<D>& force, 
 template <int D>
 void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 {
-    arrangement_.move(grains_, members_, candidates_);
+    arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
     std::vector<double> sums(2 * candidates_.blocks(), 0.0);   // depths and numbers of each block
     double worst = 0;
     for (const Group& group : candidates_.groups())

@@ -6,36 +6,21 @@
 #include "nscd/dynamics/Implementation.hpp"
 #include "nscd/dynamics/RigidMotion.hpp"
 
+#include <sstream>
+#include <stdexcept>
+
 namespace nscd
 {
-
-namespace
-{
-
-/// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
-/// disturbs the force network; it must happen more slowly than the sweeps restore it.
-constexpr double cautiousShare = 0.1;
-
-template <int D>
-Tangent<D> surfaceSpeed(const Spin<D>& spin, double radius)
-{
-    if constexpr (D == 2)
-    {
-        return radius * spin[0];
-    }
-    else
-    {
-        return radius * spin;
-    }
-}
-
-}  // namespace
 
 template <int D>
 void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
 {
     Stopwatch watch;
     updateCandidates(dt);
+    if (bounces_)
+    {
+        collide(dt, report);
+    }
     makeBodies(dt);
     problem_.begin(impulses_, dt);
     problem_.choose(bodies_, impulses_);
@@ -51,13 +36,20 @@ void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
         impulse.age = impulse.normal > 0 ? impulse.age + dt : 0;
     }
     lastSubStep_ = dt;
-    separate(dt, converged);
+    const bool separated = separate(dt, converged, report);
+    const std::vector<PassedWall> passed = problem_.passedWalls(bodies_, displacements_);
     move(dt, report);
     moveWalls(dt, report);
 
     std::vector<double> counts{double(candidates_.pairs().size()), double(problem_.contacts()),
-                               double(problem_.active()), double(solves_)};
+                               double(problem_.active()), double(solves_), double(problem_.isCut()),
+                               double(passed.size())};
     communicator_.sum(counts);
+    report.converged = report.converged && separated && counts[4] == 0;
+    if (counts[5] > 0)
+    {
+        refusePassedWalls(passed, report);
+    }
     report.candidates = static_cast<std::size_t>(counts[0]);
     report.contacts = static_cast<std::size_t>(counts[1]);
     report.active = static_cast<std::size_t>(counts[2]);
@@ -90,7 +82,7 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
     }
     else
     {
-        arrangement_.move(grains_, members_, candidates_);
+        arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
     }
     if (lastSubStep_ > 0 && dt != lastSubStep_)
     {
@@ -104,6 +96,56 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
 }
 
 template <int D>
+void ContactDynamics<D>::Implementation::refusePassedWalls(const std::vector<PassedWall>& mine,
+                                                           const StepReport& report) const
+{
+    const std::vector<PassedWall> all = communicator_.gather(mine);
+    const PassedWall& first = all.front();
+    const int grain = members_.grain(candidates_.memberOrder()[first.first]);
+    std::ostringstream message;
+    message << "grain " << grains_.id[grain] << " has been pressed through wall " << first.wall << ", with "
+            << all.size() - 1 << " more: it overlapped the wall by " << std::max(0.0, -first.gap)
+            << " m, its radius is " << grains_.radius[grain] << " m, the contacts' residual " << report.residual
+            << " m/s; more grains than fit between the walls, too long a step, or too few sweeps";
+    throw std::runtime_error(message.str());
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::unevenness() const
+{
+    double largest = 1;
+    const auto mass = [&](int body)
+    {
+        const bool isGrain = body < static_cast<int>(grains_.size());
+        return isGrain ? grains_.mass[candidates_.order()[body]] : massOfFreeWall(body);
+    };
+    for (const Pair& pair : candidates_.pairs())
+    {
+        const int j = candidates_.secondBody(pair);
+        if (j < candidates_.fixedBody())
+        {
+            const double ratio = mass(candidates_.body(pair.first)) / mass(j);
+            largest = std::max({largest, ratio, 1 / ratio});
+        }
+    }
+    return communicator_.max(largest);
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::massOfFreeWall(int body) const
+{
+    int k = static_cast<int>(grains_.size());
+    for (const WallBody<D>& wall : wallBodies_)
+    {
+        if (isFree(wall) && k++ == body)
+        {
+            return wall.mass;
+        }
+    }
+    return 1;
+}
+
+template <int D>
 void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions,
                                                            const Orientations<D>& orientations, double skin,
                                                            const std::vector<NamedImpulse<D>>& impulses)
@@ -114,22 +156,18 @@ void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& pos
     schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
     impulses_ = matchImpulses(candidates_, impulses);
     arrangement_.arrange(grains_, members_, candidates_);
+    unevenness_ = unevenness();
 }
 
 template <int D>
 void ContactDynamics<D>::Implementation::makeBodies(double dt)
 {
     bodies_.resize(grains_.size());
-    data_.before.resize(bounces_ ? grains_.size() : 0);
     data_.turning.resize(levered_ ? grains_.size() : 0);
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
         bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
-        if (bounces_)
-        {
-            data_.before[k] = {grains_.velocity[i], surfaceSpeed<D>(grains_.spin[i], grains_.radius[i]), 0};
-        }
         if (levered_)
         {
             data_.turning[k] = turningOf(grains_, static_cast<int>(i));
@@ -139,43 +177,12 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
     {
         if (isFree(wall))
         {
-            const Turning<D> turning{1, inSpace(wall.orientation, Spin<D>(wall.inertia.cwiseInverse()))};
-            const Spin<D> spin = wall.spin + dt * turning.inverse * wall.torque;
-            bodies_.push_back(
-                {wall.velocity + dt / wall.mass * wall.force, surfaceSpeed<D>(spin, 1), 1 / wall.mass});
-            data_.before.push_back({wall.velocity, surfaceSpeed<D>(wall.spin, 1), 0});
-            data_.turning.push_back(turning);
+            const FreeWall<D> free(wall, dt);
+            bodies_.push_back({free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass});
+            data_.turning.push_back(free.turning);
         }
     }
     bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
-}
-
-template <int D>
-void ContactDynamics<D>::Implementation::separate(double dt, bool converged)
-{
-    displacements_.clear();
-    const double tolerance = settings_.tolerance / dt;
-    if (communicator_.max(problem_.measureOverlaps(bodies_, converged ? 1 : cautiousShare)) <= tolerance)
-    {
-        return;
-    }
-    displacements_ = bodies_;
-    for (Body<D>& body : displacements_)
-    {
-        body.velocity.setZero();
-    }
-    const int maxSweeps = std::max(1, settings_.maxSweeps / 4);
-    for (int sweeps = 0; sweeps < maxSweeps; ++sweeps)
-    {
-        double change = 0;
-        schedule_->pass(displacements_,
-                        [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
-        if (std::sqrt(communicator_.max(change)) <= tolerance)
-        {
-            break;
-        }
-    }
-    communicator_.share(displacements_, candidates_.rankBegin());
 }
 
 template <int D>

@@ -77,32 +77,33 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
             {
                 continue;
             }
-            const auto approach = arrangement_.approach(pair);
-            if (!approach)
+            const auto met = meeting(p);
+            if (!met)
             {
                 continue;
             }
+            const auto& [approach, gap] = *met;
             const int i = candidates_.body(pair.first);
-            if (approach->gap + dt_ * openingVelocity(pair, *approach, bodies) >= margin * radius && !kept_[p])
+            if (gap + dt_ * openingVelocity(pair, approach, bodies) >= margin * radius && !kept_[p])
             {
                 continue;
             }
             kept_[p] = 1;
-            const int j = secondBody(pair, *approach, bodies);
-            const Origin origin{p, std::max(approach->gap, -largestPush * radius),
-                                attraction(p, approach->gap, impulses[p])};
+            const int j = secondBody(pair, approach, bodies);
+            // A flight may lead into another body or, back to the beginning, out of one: that is no overlap
+            const bool isDeep = std::max(gap, approach.gap) < -largestPush * radius;
+            const Origin origin{p, isDeep ? -largestPush * radius : gap, attraction(p, gap, impulses[p]), gap};
             if (isLevered(pair))
             {
-                addLevered(pair, *approach, impulses[p], j, bodies);
-                LeveredContact<D>& contact = levered_.back();
-                contact.approachLimit = approachLimit(p, approach->gap, contact, bodies);
+                addLevered(pair, approach, impulses[p], j, bodies);
+                levered_.back().approachLimit = approachLimit(p, gap);
                 leveredOrigin_.push_back(origin);
                 continue;
             }
-            contacts_.push_back({approach->normal, 0, 1 / (bodies[i].inverseMass + bodies[j].inverseMass),
+            contacts_.push_back({approach.normal, approachLimit(p, gap),
+                                 1 / (bodies[i].inverseMass + bodies[j].inverseMass),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
-                                 inTangentPlane<D>(impulses[p].tangential, approach->normal), i, j});
-            contacts_.back().approachLimit = approachLimit(p, approach->gap, contacts_.back(), bodies);
+                                 inTangentPlane<D>(impulses[p].tangential, approach.normal), i, j});
             origin_.push_back(origin);
         }
     }
@@ -128,9 +129,53 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
 template <int D>
 bool ContactProblem<D>::staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const
 {
-    return pair.second >= 0 && !arrangement_.hasClusters() &&
-           arrangement_.staysApart(pair, apart,
-                                   dt_ * (bodies[pair.second].velocity - bodies[pair.first].velocity));
+    if (pair.second < 0 || arrangement_.hasClusters())
+    {
+        return false;
+    }
+    Vector<D> motion = dt_ * (bodies[pair.second].velocity - bodies[pair.first].velocity);
+    if (!data_.ahead.empty())
+    {
+        motion -= dt_ * (data_.ahead[pair.second].velocity - data_.ahead[pair.first].velocity);
+    }
+    return arrangement_.staysApart(pair, apart, motion);
+}
+
+template <int D>
+std::optional<typename ContactProblem<D>::Meeting> ContactProblem<D>::meeting(std::size_t p) const
+{
+    const Pair& pair = candidates_.pairs()[p];
+    const auto approach = arrangement_.approach(pair);
+    if (!approach)
+    {
+        return {};
+    }
+    if (!data_.flight.empty() && !loaded_[p] && pair.second >= 0 && !arrangement_.isOfCluster(pair) &&
+        arrangement_.parameters(pair).restitution > 0)
+    {
+        return meetingAtEnd(pair, *approach);
+    }
+    const double way = data_.ahead.empty() ? 0 : dt_ * openingByBodies(pair, *approach, data_.ahead);
+    return Meeting{*approach, approach->gap - way};
+}
+
+template <int D>
+typename ContactProblem<D>::Meeting ContactProblem<D>::meetingAtEnd(const Pair& pair,
+                                                                    const Approach<D>& approach) const
+{
+    const int i = candidates_.body(pair.first), j = candidates_.body(pair.second);
+    const Vector<D> flight = dt_ * (data_.flight[j].velocity - data_.flight[i].velocity);
+    const double touching = arrangement_.sumOfRadii(pair);
+    Vector<D> separation = (approach.gap + touching) * approach.normal + flight;
+    if (!data_.ahead.empty())
+    {
+        separation -= dt_ * (data_.ahead[j].velocity - data_.ahead[i].velocity);
+    }
+    const double distance = separation.norm();
+    const Vector<D> normal =
+        separation.dot(approach.normal) > 0 ? Vector<D>(separation / distance) : approach.normal;
+    const double gap = separation.dot(normal) - touching;
+    return {{normal, gap}, gap - flight.dot(normal)};
 }
 
 template <int D>
@@ -142,7 +187,7 @@ bool ContactProblem<D>::isLevered(const Pair& pair) const
 }
 
 template <int D>
-double ContactProblem<D>::openingVelocity(const Pair& pair, const Approach<D>& approach,
+double ContactProblem<D>::openingByBodies(const Pair& pair, const Approach<D>& approach,
                                           const std::vector<Body<D>>& bodies) const
 {
     const int i = candidates_.body(pair.first);
@@ -155,13 +200,36 @@ double ContactProblem<D>::openingVelocity(const Pair& pair, const Approach<D>& a
         velocity -= turning(i, arrangement_.firstArm(pair, approach));
         velocity += pair.second < 0 ? 0 : turning(j, arrangement_.secondArm(pair, approach));
     }
-    const int wallBody = pair.second < 0 ? arrangement_.wallBody(~pair.second) : -1;
-    if (wallBody >= 0)
+    if (pair.second < 0 && j != candidates_.fixedBody())
     {
-        const Vector<D> arm = arrangement_.contactPoint(pair, approach) - wallBodies_[wallBody].position;
-        velocity += j != candidates_.fixedBody() ? turning(j, arm) : wallVelocity(wallBody, arm).dot(approach.normal);
+        velocity += turning(j, wallArm(pair, approach, j));
     }
     return velocity;
+}
+
+template <int D>
+double ContactProblem<D>::openingVelocity(const Pair& pair, const Approach<D>& approach,
+                                          const std::vector<Body<D>>& bodies) const
+{
+    const double velocity = openingByBodies(pair, approach, bodies);
+    const int wallBody = pair.second < 0 ? arrangement_.wallBody(~pair.second) : -1;
+    if (wallBody < 0 || candidates_.secondBody(pair) != candidates_.fixedBody())
+    {
+        return velocity;
+    }
+    const Vector<D> arm = arrangement_.contactPoint(pair, approach) - wallBodies_[wallBody].position;
+    return velocity + wallVelocity(wallBody, arm).dot(approach.normal);
+}
+
+template <int D>
+Vector<D> ContactProblem<D>::wallArm(const Pair& pair, const Approach<D>& approach, int body) const
+{
+    Vector<D> centre = wallBodies_[arrangement_.wallBody(~pair.second)].position;
+    if (!data_.ahead.empty())
+    {
+        centre += dt_ * data_.ahead[body].velocity;
+    }
+    return arrangement_.contactPoint(pair, approach) - centre;
 }
 
 template <int D>
@@ -184,9 +252,8 @@ void ContactProblem<D>::addLevered(const Pair& pair, const Approach<D>& approach
     if (j < candidates_.fixedBody())
     {
         c.turningJ = data_.turning[j];
-        const Vector<D> arm = pair.second >= 0 ? arrangement_.secondArm(pair, approach)
-                                               : Vector<D>(arrangement_.contactPoint(pair, approach) -
-                                                           wallBodies_[arrangement_.wallBody(~pair.second)].position);
+        const Vector<D> arm =
+            pair.second >= 0 ? arrangement_.secondArm(pair, approach) : wallArm(pair, approach, j);
         c.armJ = arm / c.turningJ.length;
     }
     const ContactParameters& parameters = arrangement_.parameters(pair);
@@ -198,23 +265,9 @@ void ContactProblem<D>::addLevered(const Pair& pair, const Approach<D>& approach
 }
 
 template <int D>
-template <class C>
-double ContactProblem<D>::approachLimit(std::size_t p, double gap, const C& contact,
-                                        const std::vector<Body<D>>& bodies) const
+double ContactProblem<D>::approachLimit(std::size_t p, double gap) const
 {
-    const Pair& pair = candidates_.pairs()[p];
-    const double restitution = arrangement_.parameters(pair).restitution;
-    if (restitution > 0)
-    {
-        const auto before = [&](int body) -> const Body<D>&
-        { return body < candidates_.fixedBody() ? data_.before[body] : bodies[body]; };
-        const double velocity = normalVelocity(contact, before(contact.i), before(contact.j));
-        if (velocity < 0 && gap + dt_ * velocity <= 0)
-        {
-            return restitution * velocity;
-        }
-    }
-    const double open = loaded_[p] ? slack * arrangement_.radius(pair) : 0;
+    const double open = loaded_[p] ? slack * arrangement_.radius(candidates_.pairs()[p]) : 0;
     return std::max(0.0, gap - open) / dt_;
 }
 
@@ -246,13 +299,14 @@ double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
         {
             continue;
         }
-        const auto approach = arrangement_.approach(pair);
-        if (!approach)
+        const auto met = meeting(p);
+        if (!met)
         {
             continue;
         }
-        const double penetration =
-            -(openingVelocity(pair, *approach, bodies) + std::max(0.0, approach->gap) / dt_);
+        // Those that diverge after an impact would have overlapped before it
+        const double gap = data_.ahead.empty() ? std::max(0.0, met->gap) : met->gap;
+        const double penetration = -(openingVelocity(pair, met->approach, bodies) + gap / dt_);
         if (penetration > 0)
         {
             kept_[p] = 1;

@@ -98,6 +98,62 @@ double ContactProblem<D>::separate(int group, std::vector<Body<D>>& displacement
 }
 
 template <int D>
+double ContactProblem<D>::separationResidual(const std::vector<Body<D>>& displacements) const
+{
+    double largest = 0;
+    for (const Overlap<D>& o : overlaps_)
+    {
+        const Body<D>&a = displacements[o.i], &b = displacements[o.j];
+        const double velocity = (b.velocity - a.velocity).dot(o.normal) + o.gapVelocity;
+        const double push = o.push / o.inverseW;
+        largest = std::max(largest, std::abs(push - std::max(0.0, push - velocity)));
+    }
+    return largest;
+}
+
+template <int D>
+bool ContactProblem<D>::isCut() const
+{
+    const auto cut = [](const Origin& o) { return o.gap > o.wholeGap; };
+    return std::any_of(origin_.begin(), origin_.end(), cut) ||
+           std::any_of(leveredOrigin_.begin(), leveredOrigin_.end(), cut);
+}
+
+template <int D>
+std::vector<PassedWall> ContactProblem<D>::passedWalls(const std::vector<Body<D>>& bodies,
+                                                       const std::vector<Body<D>>& displacements) const
+{
+    std::vector<PassedWall> passed;
+    const auto check = [&](const auto& c, const Vector<D>& normal, const Origin& origin)
+    {
+        const Pair& pair = candidates_.pairs()[origin.pair];
+        if (pair.second >= 0)
+        {
+            return;
+        }
+        double velocity = normalVelocity(c, bodies[c.i], bodies[c.j]);
+        if (!displacements.empty())
+        {
+            velocity += (displacements[c.j].velocity - displacements[c.i].velocity).dot(normal);
+        }
+        const double height = origin.wholeGap + arrangement_.radius(pair);
+        if (height > 0 && height + dt_ * velocity <= 0)
+        {
+            passed.push_back({pair.first, ~pair.second, origin.wholeGap});
+        }
+    };
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+    {
+        check(contacts_[k], contacts_[k].normal, origin_[k]);
+    }
+    for (std::size_t k = 0; k < levered_.size(); ++k)
+    {
+        check(levered_[k], levered_[k].normal(), leveredOrigin_[k]);
+    }
+    return passed;
+}
+
+template <int D>
 void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 {
     for (Impulse<D>& impulse : impulses)
@@ -131,14 +187,20 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 }
 
 template <int D>
-std::vector<ContactForce<D>> ContactProblem<D>::forces() const
+std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImpulse<D>>& impacts) const
 {
     std::vector<ContactForce<D>> result;
-    const auto add = [&](const Origin& origin, const Vector<D>& normal, const Vector<D>& impulse, double pressing)
+    auto impact = impacts.begin();
+    std::vector<int> placeOf(impacts.empty() ? 0 : candidates_.pairs().size(), -1);
+    const auto add = [&](std::size_t p, const Vector<D>& normal, double gap, const Vector<D>& impulse, double pressing)
     {
-        const Pair& pair = candidates_.pairs()[origin.pair];
-        const Vector<D> point = arrangement_.contactPoint(pair, {normal, origin.gap});
-        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, origin.gap, pressing / dt_});
+        const Pair& pair = candidates_.pairs()[p];
+        const Vector<D> point = arrangement_.contactPoint(pair, {normal, gap});
+        if (!placeOf.empty())
+        {
+            placeOf[p] = static_cast<int>(result.size());
+        }
+        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, gap, pressing / dt_});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
@@ -147,7 +209,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             const Contact<D>& c = contacts_[k];
             if (c.normalImpulse > 0)
             {
-                add(origin_[k], c.normal,
+                add(origin_[k].pair, c.normal, origin_[k].gap,
                     impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
             }
         }
@@ -156,9 +218,20 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces() const
             const LeveredContact<D>& c = levered_[k];
             if (c.impulse[0] > 0)
             {
-                add(leveredOrigin_[k], c.normal(),
+                add(leveredOrigin_[k].pair, c.normal(), leveredOrigin_[k].gap,
                     c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
             }
+        }
+        for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
+        {
+            if (placeOf[impact->pair] < 0)
+            {
+                add(impact->pair, impact->normal, impact->gap, impact->impulse, impact->pressing);
+                continue;
+            }
+            ContactForce<D>& force = result[placeOf[impact->pair]];
+            force.force += impact->impulse / dt_;
+            force.pressing += impact->pressing / dt_;
         }
     }
     return result;

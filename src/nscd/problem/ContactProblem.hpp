@@ -8,17 +8,23 @@
 #include "nscd/contact/Impulses.hpp"
 #include "nscd/contact/LeveredContact.hpp"
 #include "nscd/contact/Schedule.hpp"
+#include "nscd/problem/Anderson.hpp"
 
 namespace nscd
 {
 
-/// Where the bodies are, how they turn and what they did before the step; in solver order, free walls last.
+/// How the bodies turn, and their flights when some bounce; in solver order, free walls last, then the fixed body.
 template <int D>
 struct BodyData
 {
     std::vector<Turning<D>> turning;     ///< empty when no contact is levered
-    std::vector<Body<D>> before;         ///< at the beginning of the step; empty when nothing bounces
-    Vectors<D> wallCentre;               ///< of the free walls
+
+    /// Velocities after impacts, before the contact problem; empty when nothing bounces.
+    std::vector<Body<D>> flight;
+
+    /// The same of those bodies that had impacts: the arrangement has them where their flight would end (their flight
+    /// back to the beginning of the sub-step may lead through others); zero for the other bodies.  Empty when none had.
+    std::vector<Body<D>> ahead;
 };
 
 /// What a pass over contacts did.
@@ -34,6 +40,21 @@ struct Change
         sum += square;
         ++solves;
     }
+};
+
+/// A grain whose centre has come to the other side of a wall.
+struct PassedWall
+{
+    int first, wall;   ///< place of the member in solver order
+    double gap;        ///< at the beginning of the sub-step [m]
+};
+
+/// Impulses, or displacing pushes, with the weights that make them velocities, and which of them belong to which block;
+/// then the velocities of this rank's bodies.
+struct Unknowns
+{
+    std::vector<double> values, weights;
+    std::vector<Anderson::Range> ranges;
 };
 
 /// A contact as other solvers want it; arms are over the bodies' lengths.
@@ -101,11 +122,26 @@ public:
     /// Returns the square of the largest change [m^2/s^2].
     double separate(int group, std::vector<Body<D>>& displacements);
 
+    /// How far the displacements are from the solution [m/s]: natural map of the frictionless problem.
+    double separationResidual(const std::vector<Body<D>>& displacements) const;
+
+    /// Has an overlap been cut to what one step may remove?
+    bool isCut() const;
+
+    /// Contacts with walls whose grain ends beyond the wall.
+    std::vector<PassedWall> passedWalls(const std::vector<Body<D>>& bodies,
+                                        const std::vector<Body<D>>& displacements) const;
+
+    /// The unknowns of the sweeps, or of those that remove overlaps, with the bodies [begin, end).
+    void get(Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
+    void set(const Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
+
     /// Write the impulses back; zero for candidates that were not chosen.  Ages stay as they are.
     void store(std::vector<Impulse<D>>& impulses) const;
 
-    /// Contacts with an impulse and the forces in them, with the numbers of the places of solver order.
-    std::vector<ContactForce<D>> forces() const;
+    /// Contacts with an impulse, of this problem or of impacts before, and the mean forces in them; with the numbers of
+    /// the places of solver order.
+    std::vector<ContactForce<D>> forces(const std::vector<PairImpulse<D>>& impacts) const;
 
     /// This rank's contacts; the velocities are those of the bodies that walls stand for.
     std::vector<SolvedContact<D>> solvedContacts(const std::vector<Body<D>>& bodies) const;
@@ -126,10 +162,28 @@ private:
         std::size_t pair;
         double gap;            ///< not less than what one step may remove [m]
         double attraction;     ///< impulse [N s]
+        double wholeGap;       ///< [m]
     };
+
+    /// f(group, number, weight) for the numbers of all contacts.
+    template <class F>
+    void forGroups(bool overlaps, F&& f);
 
     /// Place of a pair's second body; makes one for the point of contact of a moving wall.
     int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;
+
+    /// Where the bodies of a candidate meet, and what the gap was along that normal at the beginning [m].
+    struct Meeting
+    {
+        Approach<D> approach;
+        double gap;
+    };
+
+    std::optional<Meeting> meeting(std::size_t p) const;
+
+    /// Of two discs or spheres that are let bounce: with the normal where their flights end.  Those that pass each
+    /// other do not touch, and as the distance is convex, those that are stopped do not overlap.
+    Meeting meetingAtEnd(const Pair& pair, const Approach<D>& approach) const;
 
     /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities.
     bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const;
@@ -138,12 +192,16 @@ private:
     void addLevered(const Pair& pair, const Approach<D>& approach, const Impulse<D>& impulse, int j,
                     const std::vector<Body<D>>& bodies);
 
-    /// Velocity along the normal with which a candidate opens [m/s].
+    /// Velocity along the normal with which a candidate opens [m/s], without and with what driven walls do.
+    double openingByBodies(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
     double openingVelocity(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
     Vector<D> wallVelocity(int wallBody, const Vector<D>& arm) const;
 
-    template <class C>
-    double approachLimit(std::size_t p, double gap, const C& contact, const std::vector<Body<D>>& bodies) const;
+    /// From the centre of a free wall, where it is arranged, to a contact [m].
+    Vector<D> wallArm(const Pair& pair, const Approach<D>& approach, int body) const;
+
+    /// Velocity with which a contact may close [m/s].
+    double approachLimit(std::size_t p, double gap) const;
 
     double attraction(std::size_t p, double gap, const Impulse<D>& impulse) const;
 

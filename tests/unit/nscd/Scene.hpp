@@ -167,7 +167,8 @@ inline bool sameReport(const nscd::StepReport& a, const nscd::StepReport& b)
     return a.candidates == b.candidates && a.contacts == b.contacts && a.active == b.active &&
            a.subSteps == b.subSteps && a.sweeps == b.sweeps && a.solves == b.solves && a.converged == b.converged &&
            a.residual == b.residual && a.worstOverlap == b.worstOverlap && a.meanOverlap == b.meanOverlap &&
-           a.maxVelocity == b.maxVelocity && a.contactWork == b.contactWork;
+           a.maxVelocity == b.maxVelocity && a.contactWork == b.contactWork && a.impacts == b.impacts &&
+           a.exhausted == b.exhausted;
 }
 
 /// Grains of unit size in a box, moving at random; 'perSide' along each axis.

@@ -23,10 +23,16 @@ void expect(bool fact, const char* what)
 }
 
 template <int D>
-void compareRuns(int perSide, int blocks)
+void compareRuns(int perSide, int blocks, double restitution = 0, double massRatio = 1)
 {
     Scene<D> scene = agitated<D>(perSide, 0.4);
     scene.settings.blocks = blocks;
+    scene.table.set(0, 0, {0.4, restitution});
+    scene.table.set(0, 1, {0.4, restitution});
+    for (std::size_t i = 0; i < scene.grains.size(); i += 4)
+    {
+        scene.grains.mass[i] *= massRatio;
+    }
     auto alone = scene.dynamics(MPI_COMM_SELF);
     auto together = scene.dynamics(MPI_COMM_WORLD);
     bool same = true;
@@ -98,6 +104,9 @@ int main(int argc, char** argv)
     compareRuns<2>(20, 8);
     compareRuns<2>(3, 2);   // fewer blocks than ranks
     compareRuns<3>(7, 16);
+    compareRuns<2>(15, 8, 0.97);
+    compareRuns<3>(5, 16, 0.97);
+    compareRuns<2>(10, 8, 0, 1e5);   // which is accelerated
     checkErrors();
     MPI_Allreduce(MPI_IN_PLACE, &failures, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     MPI_Finalize();

@@ -4,9 +4,9 @@
 // Whole contact problems by every solver: statics with exact answers, piles, problems without a solution.
 
 #include "Bodies.hpp"
+#include "Scene.hpp"
 #include "nscd/packing/Packing.hpp"
 #include "nscd/problem/SparseSolve.hpp"
-#include "Scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Which candidates may have impacts in a sub-step, and with what data.
+
+#include "nscd/impact/Impacts.hpp"
+
+namespace nscd
+{
+
+template <int D>
+void Impacts<D>::clear()
+{
+    items_.clear();
+    watched_.clear();
+    levers_.clear();
+    begin_.clear();
+    given_.clear();
+    energy_.assign(candidates_.blocks(), 0.0);
+    count_ = exhausted_ = 0;
+}
+
+template <int D>
+bool Impacts<D>::begin(std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
+                       const std::vector<Impulse<D>>& impulses, double dt, double resolved,
+                       const Vector<D>& usual, double fastest)
+{
+    clear();
+    launches_ = &launches;
+    dt_ = dt;
+    resolved_ = resolved;
+    usual_ = usual;
+    fastest_ = fastest;
+    for (const Group& group : candidates_.groups())
+    {
+        begin_.push_back(items_.size());
+        list(group, flyers, launches, impulses);
+    }
+    begin_.push_back(items_.size());
+    bool any = false;
+    watched_.resize(items_.size());
+    for (std::size_t k = 0; k < items_.size(); ++k)
+    {
+        watched_[k] = {never, items_[k].i, items_[k].j, 0, 0, 0};
+        predict(k, flyers);
+        any = any || watched_[k].time <= dt;
+    }
+    listTouching(flyers.size());
+    return any;
+}
+
+template <int D>
+void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
+                      const std::vector<Impulse<D>>& impulses)
+{
+    const double reach = 2 * dt_ * fastest_;
+    for (std::size_t p = group.begin; p < group.end; ++p)
+    {
+        const Pair& pair = candidates_.pairs()[p];
+        const ContactParameters& law = arrangement_.parameters(pair);
+        if (law.restitution <= 0 || (pair.second >= 0 && arrangement_.staysApart(pair, reach, Vector<D>::Zero())))
+        {
+            continue;
+        }
+        const auto approach = arrangement_.approach(pair);
+        if (!approach)
+        {
+            continue;
+        }
+        Item item{p, candidates_.body(pair.first), candidates_.secondBody(pair), approach->normal, approach->gap};
+        const bool isWall = pair.second < 0;
+        const int wallBody = isWall ? arrangement_.wallBody(~pair.second) : -1;
+        Vector<D> push = -launches[item.i].push;
+        item.slow = share * push.norm() + (impulses[p].normal > 0 ? resolved_ : 0);
+        if (item.j < candidates_.fixedBody())
+        {
+            push += launches[item.j].push;
+            item.slow += share * launches[item.j].push.norm();
+        }
+        item.slow = std::max(item.slow, normalShare * std::abs(push.dot(item.normal)));
+        item.law = &law;
+        double closest = reach;
+        if (isWall)
+        {
+            closest = dt_ * (fastest_ + (usual_ - flyers[item.j].body.velocity).norm());
+        }
+        if (wallBody >= 0 && item.j == candidates_.fixedBody())
+        {
+            const WallBody<D>& wall = wallBodies_[wallBody];
+            const Vector<D> arm = arrangement_.contactPoint(pair, *approach) - wall.position;
+            Flyer<D> point;
+            point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), zeroTangent<D>(), 0};
+            closest = dt_ * (fastest_ + (usual_ - point.body.velocity).norm());
+            item.j = static_cast<int>(flyers.size());
+            flyers.push_back(point);
+        }
+        if (approach->gap > closest)
+        {
+            continue;
+        }
+        if (!data_.turning.empty() &&
+            (arrangement_.isOfCluster(pair) || (isWall && item.j < candidates_.fixedBody())))
+        {
+            addLever(item, pair, *approach, flyers);
+        }
+        else if (!isWall)
+        {
+            item.touching = arrangement_.sumOfRadii(pair);
+        }
+        items_.push_back(item);
+    }
+}
+
+template <int D>
+void Impacts<D>::addLever(Item& item, const Pair& pair, const Approach<D>& approach,
+                          const std::vector<Flyer<D>>& flyers)
+{
+    item.lever = static_cast<int>(levers_.size());
+    LeveredContact<D>& c = levers_.emplace_back();
+    c.i = item.i;
+    c.j = item.j;
+    c.frame = contactFrame(item.normal);
+    c.turningI = data_.turning[c.i];
+    c.armI = arrangement_.firstArm(pair, approach) / c.turningI.length;
+    c.armJ.setZero();
+    if (c.j < candidates_.fixedBody())
+    {
+        c.turningJ = data_.turning[c.j];
+        const Vector<D> arm = pair.second >= 0 ? arrangement_.secondArm(pair, approach)
+                                               : Vector<D>(arrangement_.contactPoint(pair, approach) -
+                                                           wallBodies_[arrangement_.wallBody(~pair.second)].position);
+        c.armJ = arm / c.turningJ.length;
+    }
+    assemble(c, flyers[c.i].body.inverseMass + flyers[c.j].body.inverseMass);
+}
+
+template <int D>
+void Impacts<D>::listTouching(std::size_t bodies)
+{
+    touchingBegin_.assign(bodies + 1, 0);
+    for (const Item& item : items_)
+    {
+        ++touchingBegin_[item.i + 1];
+        ++touchingBegin_[item.j + 1];
+    }
+    for (std::size_t b = 0; b < bodies; ++b)
+    {
+        touchingBegin_[b + 1] += touchingBegin_[b];
+    }
+    touching_.resize(touchingBegin_[bodies]);
+    std::vector<int> next(touchingBegin_.begin(), touchingBegin_.end() - 1);
+    for (std::size_t k = 0; k < items_.size(); ++k)
+    {
+        touching_[next[items_[k].i]++] = static_cast<int>(k);
+        touching_[next[items_[k].j]++] = static_cast<int>(k);
+    }
+}
+
+template <int D>
+void Impacts<D>::collectImpulses()
+{
+    for (const Item& item : items_)
+    {
+        if (item.impacts > 0)
+        {
+            given_.push_back({item.pair, item.normal, item.gap, item.given, item.pressed});
+        }
+    }
+}
+
+template class Impacts<2>;
+template class Impacts<3>;
+
+}  // namespace nscd

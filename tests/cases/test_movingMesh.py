@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, ledger, open_ends, replace
+from grain_box import control, grain_box, lattice, ledger, open_ends, replace, tracks
 from sphere_box import field, random_spheres, sphere_box
 
 SPEED = 0.1
@@ -183,3 +183,36 @@ def test_a_patch_that_is_a_wall_of_grains_must_not_leave_them(clone):
     assert case.run("grainFoam", check=False) == 1
     for fragment in ("grainProperties", "Patch 'bottom' has moved by", "'motion'"):
         assert fragment in case.log
+
+
+def falling_disc(clone, bottom, top, mesh_speed):
+    """Speeds of a disc of 8 cells that starts from rest in a channel of 4 diameters, y = 0.2 m."""
+    case = grain_box(clone, [(0.02, 0.2)], 0.005)
+    case.path = case.path.rename(case.path.with_name(f"frame{mesh_speed}"))
+    path = case.path / "system/blockMeshDict"
+    text = path.read_text()
+    for corner in ("0   0   ", "0.1 0   ", "0.1 0.1 ", "0   0.1 "):
+        x, y = (float(word) > 0 for word in corner.split())
+        text = text.replace(f"({corner}", f"({0.04 * x} {top if y else bottom} ")
+    cells = round((top - bottom) / 0.00125)
+    path.write_text(text.replace("(10 10 1)", f"(32 {cells} 1)"))
+    replace(case, "constant/grainProperties", "density 2500", "density 1050")
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(left right)")
+    text = (case.path / "constant/transportProperties").read_text()
+    (case.path / "constant/transportProperties").write_text(text.replace("1e-4", "1e-5"))
+    replace(case, "system/fvSchemes", "Euler", "backward")
+    if mesh_speed:
+        translate(case, (0, mesh_speed, 0))
+    case.run("blockMesh")
+    control(case, deltaT=5e-3, endTime=1.5, writeInterval=300)
+    case.run("grainFoam")
+    return tracks(case)[:, 6]
+
+
+def test_a_disc_falls_in_a_frame_that_follows_it_as_in_one_at_rest(clone):
+    """Second order in time: Euler's viscosity U^2 dt/2 is another in another frame."""
+    at_rest = falling_disc(clone, 0.0, 0.26, 0)
+    followed = falling_disc(clone, 0.14, 0.26, -0.04)
+    n = min(len(at_rest), len(followed))
+    assert at_rest.min() < -0.03
+    np.testing.assert_allclose(followed[:n], at_rest[:n], atol=0.01 * np.abs(at_rest).max())

@@ -88,6 +88,10 @@ void Foam::singleFluid::setMu()
     {
         mu_ == rho_*nu();
     }
+    if (nut_)
+    {
+        *muStress_ == mu_ + rho_**nut_;
+    }
 }
 
 
@@ -125,9 +129,10 @@ Foam::singlePhaseTransportModel& Foam::singleFluid::transport()
 
 void Foam::singleFluid::setTurbulence(const volScalarField& nut)
 {
+    nut_.reset(new volScalarField("nutOfStress", nut));
     if (!muStress_)
     {
         muStress_.reset(new volScalarField("muStress", mu_));
     }
-    *muStress_ == mu_ + rho_*nut;
+    setMu();
 }

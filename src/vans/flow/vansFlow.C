@@ -11,36 +11,8 @@
 #include "findRefCell.H"
 #include "fvc.H"
 #include "OSspecific.H"
+#include "referenceHeight.H"
 #include "timeScheme.H"
-#include "uniformDimensionedFields.H"
-
-namespace
-{
-
-using namespace Foam;
-
-dimensionedScalar ghRef(const fvMesh& mesh, const dimensionedVector& g)
-{
-    const uniformDimensionedScalarField hRef
-    (
-        IOobject
-        (
-            "hRef",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        ),
-        dimensionedScalar("hRef", dimLength, Zero)
-    );
-    return
-        mag(g.value()) > SMALL
-      ? g & (cmptMag(g.value())/mag(g.value()))*hRef
-      : dimensionedScalar("ghRef", g.dimensions()*dimLength, Zero);
-}
-
-}
-
 
 Foam::vansFlow::vansFlow
 (

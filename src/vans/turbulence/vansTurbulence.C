@@ -32,10 +32,15 @@ bool Foam::vansTurbulence::isSelected(const fvMesh& mesh)
     );
     if (type == "laminar" && dict.found("laminar"))
     {
-        dictionaryInput::getWordOrDefault
-        (
-            dictionaryInput::subDict(dict, "laminar"), "model", "Stokes", {"Stokes"}
-        );
+        // The keyword of OpenFOAM v1912, and that of later versions
+        const dictionary& laminar = dictionaryInput::subDict(dict, "laminar");
+        for (const word keyword : {"laminarModel", "model"})
+        {
+            dictionaryInput::getWordOrDefault
+            (
+                laminar, keyword, "Stokes", {"Stokes"}
+            );
+        }
     }
     return type != "laminar";
 }

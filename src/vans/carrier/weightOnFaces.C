@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "weightOnFaces.H"
+
+#include "linear.H"
+#include "referenceHeight.H"
+
+Foam::weightOnFaces::weightOnFaces
+(
+    const fvMesh& mesh,
+    const dimensionedVector& g
+)
+:
+    mesh_(mesh),
+    g_(g),
+    ghRef_(ghRef(mesh, g))
+{}
+
+
+Foam::tmp<Foam::volScalarField> Foam::weightOnFaces::gh() const
+{
+    tmp<volScalarField> tgh
+    (
+        new volScalarField
+        (
+            IOobject("ghOfWeight", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(ghRef_.dimensions(), Zero)
+        )
+    );
+    volScalarField& gh = tgh.ref();
+    gh.primitiveFieldRef() =
+        (g_.value() & mesh_.C().primitiveField()) - ghRef_.value();
+    gh.correctBoundaryConditions();
+    for (fvPatchScalarField& patch : gh.boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch == (g_.value() & patch.patch().Cf()) - ghRef_.value();
+        }
+    }
+    return tgh;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::difference
+(
+    const volScalarField& rho
+) const
+{
+    const tmp<volScalarField> tgh(gh());
+    const volScalarField& gh = tgh();
+    tmp<surfaceScalarField> tresult
+    (
+        new surfaceScalarField
+        (
+            IOobject("weightDifference", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(gh.dimensions()*rho.dimensions(), Zero)
+        )
+    );
+    surfaceScalarField& result = tresult.ref();
+    result.setOriented();
+
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    forAll(neighbour, facei)
+    {
+        const label P = owner[facei], N = neighbour[facei];
+        result[facei] = 0.5*(gh[P] + gh[N])*(rho[N] - rho[P]);
+    }
+    forAll(result.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& rhoP = rho.boundaryField()[patchi];
+        const fvPatchScalarField& ghP = gh.boundaryField()[patchi];
+        const scalarField rhoInside(rhoP.patchInternalField());
+        const scalarField ghInside(ghP.patchInternalField());
+
+        result.boundaryFieldRef()[patchi] =
+            rhoP.coupled()
+          ? 0.5*(ghInside + ghP.patchNeighbourField())
+           *(rhoP.patchNeighbourField() - rhoInside)
+          : 0.5*(ghInside + ghP)*(rhoP - rhoInside);
+    }
+    return tresult;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::weightOnFaces::gradient
+(
+    const surfaceScalarField& difference
+) const
+{
+    tmp<volVectorField> tresult
+    (
+        new volVectorField
+        (
+            IOobject("weightGradient", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedVector(difference.dimensions()/dimLength, Zero)
+        )
+    );
+    volVectorField& result = tresult.ref();
+    const surfaceVectorField& S = mesh_.Sf();
+    const surfaceScalarField& w = mesh_.weights();
+
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    forAll(neighbour, facei)
+    {
+        result[owner[facei]] += (1 - w[facei])*difference[facei]*S[facei];
+        result[neighbour[facei]] += w[facei]*difference[facei]*S[facei];
+    }
+    forAll(result.boundaryField(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const fvsPatchScalarField& d = difference.boundaryField()[patchi];
+        forAll(patch.faceCells(), i)
+        {
+            const scalar share =
+                patch.coupled() ? 1 - w.boundaryField()[patchi][i] : 1;
+
+            result[patch.faceCells()[i]] += share*d[i]*patch.Sf()[i];
+        }
+    }
+    result.primitiveFieldRef() /= mesh_.V().field();
+    result.correctBoundaryConditions();
+    return tresult;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::force
+(
+    const volScalarField& rho
+) const
+{
+    const surfaceScalarField difference(this->difference(rho));
+    tmp<surfaceScalarField> tforce
+    (
+        new surfaceScalarField
+        (
+            "weightOnFaces",
+            mesh_.nonOrthDeltaCoeffs()*difference
+          + (
+                mesh_.nonOrthCorrectionVectors()
+              & linear<vector>(mesh_).interpolate(gradient(difference))
+            )
+        )
+    );
+    surfaceScalarField& force = tforce.ref();
+
+    // As fvPatchField::snGrad
+    forAll(force.boundaryField(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!patch.coupled())
+        {
+            force.boundaryFieldRef()[patchi] =
+                patch.deltaCoeffs()*difference.boundaryField()[patchi];
+        }
+    }
+    force *= mesh_.magSf();
+    return tforce;
+}

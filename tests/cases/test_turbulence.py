@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Turbulence models of OpenFOAM: without grains as in pisoFoam, with grains weighted by the fluid."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, lattice, ledger, replace
+from test_noGrains import as_piso_foam
+from test_restart import assert_same
+
+RHO, NU = 1000.0, 1e-5
+SPEED, K, EPSILON = 1.0, 0.01, 0.05
+FLUID = "constant/transportProperties"
+GRAINS = "constant/grainProperties"
+TURBULENCE = "constant/turbulenceProperties"
+CELLS = (16, 12)
+WALLS = '"left|right|bottom|top"'
+
+MODELS = {
+    "kEpsilon": "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }",
+    "laminar": "simulationType laminar;",
+    "Stokes": "simulationType laminar; laminar { laminarModel Stokes; }",
+}
+
+SCHEMES = "".join(
+    f"    div({flux},{name}) Gauss upwind;\n"
+    for flux in ("phi", "alphaPhi")
+    for name in ("k", "epsilon")
+)
+SOLVER = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-13; relTol 0; }"
+
+
+def write_field(case, name, dims, value, wall):
+    """At the inlet fixed, at the outlet without gradient."""
+    (case.path / "0" / name).write_text(
+        f"FoamFile {{ version 2.0; format ascii; class volScalarField; object {name}; }}\n"
+        f"dimensions {dims};\ninternalField uniform {value};\nboundaryField\n{{\n"
+        f"    left {{ type fixedValue; value uniform {value}; }}\n"
+        "    right { type zeroGradient; }\n"
+        f'    "bottom|top" {{ type {wall}; value uniform {value}; }}\n'
+        "    frontAndBack { type empty; }\n}\n"
+    )
+
+
+def set_model(case, text):
+    (case.path / TURBULENCE).write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"
+        f"{text}\n"
+    )
+
+
+def channel(clone, centres=(), model="kEpsilon", steps=50, delta_t=2e-3, name=None):
+    """From left to right between walls; the grains are held where they are."""
+    case = grain_box(clone, centres, 0.002, name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({CELLS[0]} {CELLS[1]} 1)")
+    for patch in ("left", "right"):
+        begin = f"{patch}\n    {{\n        type    "
+        replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    case.run("blockMesh")
+    ends = (
+        f"left {{ type fixedValue; value uniform ({SPEED} 0 0); }} right {{ type zeroGradient; }}"
+        ' "bottom|top" { type noSlip; }'
+    )
+    replace(case, "0/U", f"{WALLS}\n    {{\n        type    noSlip;\n    }}", ends)
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform ({SPEED} 0 0)")
+    outlet = "right { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", WALLS, f'{outlet} "left|bottom|top"')
+    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
+    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    motion fixed;")
+    replace(case, "constant/g", "-9.81", "0")
+    replace(case, FLUID, "1e-4;", f"{NU};\ntransportModel Newtonian;")
+    replace(case, "system/fvSchemes", "    div(tau)", SCHEMES + "    div(tau)")
+    replace(case, "system/fvSolution", "    U\n", f'    "(k|epsilon)" {SOLVER}\n    U\n')
+    write_field(case, "k", "[0 2 -2 0 0 0 0]", K, "kqRWallFunction")
+    write_field(case, "epsilon", "[0 2 -3 0 0 0 0]", EPSILON, "epsilonWallFunction")
+    write_field(case, "nut", "[0 2 -1 0 0 0 0]", 0, "nutkWallFunction")
+    if model:
+        set_model(case, MODELS[model])
+    control(case, deltaT=delta_t, endTime=delta_t * steps, writeInterval=steps)
+    return case
+
+
+def test_equals_piso_foam(clone):
+    """The same discrete equations: what differs is what the linear solvers leave."""
+    ours, theirs = (channel(clone, name=name) for name in ("ours", "theirs"))
+    as_piso_foam(theirs)
+    set_model(theirs, MODELS["kEpsilon"])
+    ours.run("grainFoam")
+    theirs.run("pisoFoam")
+    bounds = {"U": SPEED, "k": K, "epsilon": EPSILON, "nut": 0.09 * K**2 / EPSILON}
+    for name, scale in bounds.items():
+        np.testing.assert_allclose(
+            ours.field(name), theirs.field(name), rtol=1e-9, atol=1e-10 * scale, err_msg=name
+        )
+    p = ours.field("p") / RHO
+    np.testing.assert_allclose(p, theirs.field("p"), rtol=0, atol=1e-10 * SPEED**2)
+    # The model has been at work, and the flow has become another than that without
+    assert np.ptp(ours.field("k")) > K / 10
+    assert ours.field("nut").min() > NU
+
+
+def test_laminar_is_no_file(clone):
+    bed = lattice(4, 4, 0.011, (0.03, 0.03))
+    plain, *others = (
+        channel(clone, bed, model, steps=10, name=str(model)) for model in (None, "laminar", "Stokes")
+    )
+    plain.run("grainFoam")
+    for other in others:
+        other.run("grainFoam")
+        assert_same(plain, other)
+
+
+def test_bed_of_grains(clone):
+    """The model's viscosity acts in the flow through grains, and eps k adds up."""
+    bed = lattice(5, 8, 0.0105, (0.04, 0.013))
+    laminar, turbulent = (
+        channel(clone, bed, model, steps=100, name=model) for model in ("laminar", "kEpsilon")
+    )
+    # No production and no loss but at the ends: of the transport alone
+    for case in (laminar, turbulent):
+        case.run("grainFoam")
+    assert turbulent.field("eps").min() < 0.95
+    nut = turbulent.field("nut")
+    assert nut.min() > 0
+    difference = np.abs(turbulent.field("U") - laminar.field("U")).max()
+    assert difference > 1e-2 * SPEED
+    assert ledger(turbulent)["transportDefect"].max() <= 1e-12

@@ -91,7 +91,8 @@ scalar massRatio(const grainProperties<D>& properties, const nscd::Grains<D>& gr
 }
 
 
-//- Warn of a solver that cannot cope with them (doc/theory.md, Solvers)
+//- Warn of a solver that cannot cope with them (doc/theory/contacts.md,
+//  "Solvers")
 template<int D>
 void checkMassRatio(const grainProperties<D>& properties, const nscd::Grains<D>& grains)
 {

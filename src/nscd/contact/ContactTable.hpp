@@ -17,15 +17,15 @@ struct ContactParameters
     double friction = 0;
 
     /// Coefficient 0 <= e <= 1 of impacts: what approaches with velocity v leaves with e v, with less where Newton's
-    /// rule would create energy (see impactImpulse).  Contacts that last have none, nor have impacts that are slower
-    /// than what forces do in a step (doc/theory, eq. 5.10).
+    /// rule would create energy (see impactImpulse; doc/theory, eq. 5.14).  Contacts that last have none, nor have
+    /// impacts that are slower than what forces do in a step.
     double restitution = 0;
 
     /// Resistance to rolling >= 0: the rolling moment is at most rolling * r_n * R with 1/R = 1/R_i + 1/R_j
-    /// (doc/theory, eq. 5.12).
+    /// (doc/theory, eq. 5.11).
     double rolling = 0;
 
-    /// Attraction of two grains in contact >= 0: cohesion + tension * R [N], R as for rolling (doc/theory, eq. 5.11).
+    /// Attraction of two grains in contact >= 0: cohesion + tension * R [N], R as for rolling (doc/theory, eq. 5.10).
     double cohesion = 0;   ///< [N]
     double tension = 0;    ///< [N/m]
 

@@ -28,11 +28,11 @@ constexpr double waiting = 0.3;
 constexpr double momentumUntil = 0.75;
 
 /// Sweeps from which on Anderson's acceleration mixes, and those at the end that it leaves to plain sweeps
-/// (doc/theory, eq. 5.15).
+/// (doc/theory, eq. 5.17).
 constexpr int firstMixing = 6, lastPlain = 2;
 
 /// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before
-/// (doc/theory, eq. 5.13).
+/// (doc/theory, eq. 5.16).
 class Momentum
 {
 public:

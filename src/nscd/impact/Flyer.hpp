@@ -9,7 +9,7 @@ namespace nscd
 {
 
 /// A body that flies from impact to impact within a sub-step: from the last one on it is where it would be at the time
-/// t if it had started at the offset from its place at the beginning, with the present velocity.
+/// t if it had started at the offset from its place at the beginning, with the present velocity (doc/theory, eq. 5.12).
 template <int D>
 struct Flyer
 {

@@ -24,7 +24,7 @@ double work(const Block<D>& W, const Vector<D>& u, const Vector<D>& r)
 ///     r = p + theta (f - p),  theta the largest in [0, 1] with  E(r) <= (1 - e^2) E(p),   E(r) = r.u + r.Wr/2.
 ///
 /// It exists because E(p) <= 0 and E is convex; Coulomb's law holds as its cone is convex, too.  Central impacts have
-/// theta = 1, and the loss of energy (1 - e^2) of the plastic one without friction.
+/// theta = 1, and the loss of energy (1 - e^2) of the plastic one without friction (doc/theory, eq. 5.14).
 template <int D>
 Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double e)
 {
@@ -46,7 +46,8 @@ Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double
     return plastic + std::min(1.0, theta) * step;
 }
 
-/// The same for a contact with its normal through both centres: W is diagonal, inverseMass its W_NN.
+/// The same for a contact with its normal through both centres: W is diagonal (doc/theory, eq. 5.13),
+/// inverseMass its W_NN.
 template <int D>
 Contact<D> centralImpact(const Vector<D>& normal, const Body<D>& a, const Body<D>& b, double mu, double e)
 {

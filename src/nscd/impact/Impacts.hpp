@@ -69,7 +69,8 @@ private:
     static constexpr int mostImpacts = 8;
 
     /// Share of the velocity by forces below which a contact is not let bounce: twice half of each body's, so that a
-    /// grain on the floor rests, and normal to the contact four times that of the bodies against each other.
+    /// grain on the floor rests, and normal to the contact four times that of the bodies against each other
+    /// (doc/theory, eq. 5.15).
     static constexpr double share = 0.5, normalShare = 4;
 
     /// What a visit to a group looks at.

@@ -70,12 +70,14 @@ public:
         {
             if (!patch.coupled())
             {
-                patch == scalarField
-                (
-                    valueOnWalls
-                  ? rho(patch.patch().Cf())()
-                  : patch.patchInternalField()()
-                );
+                if (valueOnWalls)
+                {
+                    patch == rho(patch.patch().Cf());
+                }
+                else
+                {
+                    patch == scalarField(patch.patchInternalField());
+                }
             }
         }
     }
@@ -128,6 +130,36 @@ struct shape
     scalar bound;
 };
 
+const std::vector<shape>& shapes()
+{
+    static const std::vector<shape> all
+    {
+        {"Blocks", nullptr, 0, 1e-10},
+        {
+            // The slope of 30 degrees
+            "Sheared",
+            [](const point& x)
+            {
+                return point(x.x() + x.z()/Foam::sqrt(3.0), x.y(), x.z());
+            },
+            30, 1e-8
+        },
+        {
+            // Cells of many shapes, whose faces are not plane
+            "Waved",
+            [](const point& x)
+            {
+                const scalar s = 0.04*std::sin(2*M_PI*x.x())
+                   *std::sin(2*M_PI*x.y())*std::sin(2*M_PI*x.z());
+                return x + s*vector(1, -1, 1);
+            },
+            30, 1e-8
+        }
+    };
+    return all;
+}
+
+
 //- A field of the start; walls with the type given
 std::string initial
 (
@@ -150,35 +182,6 @@ class Stratified
     public ::testing::TestWithParam<std::tuple<label, bool, bool>>
 {
 protected:
-
-    static const std::vector<shape>& shapes()
-    {
-        static const std::vector<shape> all
-        {
-            {"Blocks", nullptr, 0, 1e-10},
-            {
-                // The slope of 30 degrees
-                "Sheared",
-                [](const point& x)
-                {
-                    return point(x.x() + x.z()/Foam::sqrt(3.0), x.y(), x.z());
-                },
-                30, 1e-8
-            },
-            {
-                // Cells of many shapes, whose faces are not plane
-                "Waved",
-                [](const point& x)
-                {
-                    const scalar s = 0.04*std::sin(2*M_PI*x.x())
-                       *std::sin(2*M_PI*x.y())*std::sin(2*M_PI*x.z());
-                    return x + s*vector(1, -1, 1);
-                },
-                30, 1e-8
-            }
-        };
-        return all;
-    }
 
     const shape shape_ = shapes()[std::get<0>(GetParam())];
     const bool tilted_ = std::get<1>(GetParam());
@@ -209,9 +212,8 @@ INSTANTIATE_TEST_SUITE_P
     ),
     [](const auto& info)
     {
-        static const char* const names[] = {"Blocks", "Sheared", "Waved"};
         return
-            std::string(names[std::get<0>(info.param)])
+            std::string(shapes()[std::get<0>(info.param)].name)
           + (std::get<1>(info.param) ? "Tilted" : "")
           + (std::get<2>(info.param) ? "FluxPressure" : "ZeroGradient");
     }

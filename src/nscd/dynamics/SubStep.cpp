@@ -6,8 +6,10 @@
 #include "nscd/dynamics/Implementation.hpp"
 #include "nscd/dynamics/RigidMotion.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 namespace nscd
 {
@@ -99,8 +101,11 @@ template <int D>
 void ContactDynamics<D>::Implementation::refusePassedWalls(const std::vector<PassedWall>& mine,
                                                            const StepReport& report) const
 {
+    // The deepest, whatever the order of the ranks
     const std::vector<PassedWall> all = communicator_.gather(mine);
-    const PassedWall& first = all.front();
+    const PassedWall& first =
+        *std::min_element(all.begin(), all.end(), [](const PassedWall& a, const PassedWall& b)
+                          { return std::tie(a.gap, a.first, a.wall) < std::tie(b.gap, b.first, b.wall); });
     const int grain = members_.grain(candidates_.memberOrder()[first.first]);
     std::ostringstream message;
     message << "grain " << grains_.id[grain] << " has been pressed through wall " << first.wall << ", with "

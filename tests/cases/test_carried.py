@@ -121,7 +121,7 @@ def test_closed_box(clone, size, D):
 @pytest.mark.parametrize("D", DIFFUSIVITIES)
 @pytest.mark.parametrize("size", SIZES)
 def test_periodic_box(clone, size, D):
-    """Grains that meet on their way through the boundaries; overfull cells apart, none is outside."""
+    """Grains meet on their way through the boundaries; overfull cells apart, none is outside."""
     cells, radius = SIZES[size]
     rng = np.random.default_rng(5)
     if size == "unresolved":

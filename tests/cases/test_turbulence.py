@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turbulence models of OpenFOAM: without grains as in pisoFoam, with grains weighted by the fluid."""
+"""Turbulence models of OpenFOAM: as in pisoFoam without grains, weighted by the fluid with them."""
 
 import numpy as np
 import pytest
@@ -102,7 +102,8 @@ def test_equals_piso_foam(clone):
 def test_laminar_is_no_file(clone):
     bed = lattice(4, 4, 0.011, (0.03, 0.03))
     plain, *others = (
-        channel(clone, bed, model, steps=10, name=str(model)) for model in (None, "laminar", "Stokes")
+        channel(clone, bed, model, steps=10, name=str(model))
+        for model in (None, "laminar", "Stokes")
     )
     plain.run("grainFoam")
     for other in others:

@@ -138,16 +138,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::force
 ) const
 {
     const surfaceScalarField difference(this->difference(rho));
+    surfaceScalarField correction
+    (
+        mesh_.nonOrthCorrectionVectors()
+      & linear<vector>(mesh_).interpolate(gradient(difference))
+    );
+    correction.setOriented();
+    surfaceScalarField straight(mesh_.nonOrthDeltaCoeffs()*difference);
+    straight.setOriented();
     tmp<surfaceScalarField> tforce
     (
         new surfaceScalarField
         (
             "weightOnFaces",
-            mesh_.nonOrthDeltaCoeffs()*difference
-          + (
-                mesh_.nonOrthCorrectionVectors()
-              & linear<vector>(mesh_).interpolate(gradient(difference))
-            )
+            straight + correction
         )
     );
     surfaceScalarField& force = tforce.ref();

@@ -63,11 +63,11 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     const tmp<surfaceScalarField>& force = step_->faceForce;
 
     surfaceScalarField phiMixture("phiMixture", phiHbyA + faces.phiGrains);
+    adjustPhi(phiMixture, U, p_rgh);
     if (force.valid())
     {
         phiMixture -= faces.mobility*force();
     }
-    adjustPhi(phiMixture, U, p_rgh);
     constrainPressure(p_rgh, U, phiMixture, faces.mobility);
 
     tmp<volScalarField> source(fvc::div(phiMixture));

@@ -25,7 +25,8 @@ Foam::grainLedger::grainLedger
     momentumError_(0),
     divergence_(0),
     volumeDefect_(0),
-    grainMomentumError_(0)
+    grainMomentumError_(0),
+    carriedUnaccounted_(0)
 {
     setVolumes();
 
@@ -106,6 +107,10 @@ void Foam::grainLedger::endStep
     const vector received = exchange_.momentumReceived();
     momentumError_ = mag(given - received)/max(mag(received), VSMALL);
 
+    if (carried_.isActive())
+    {
+        carriedUnaccounted_ = carried_.unaccounted();
+    }
     closeMomentum();
     print();
     write();

@@ -29,7 +29,7 @@ void Foam::grainLedger::print() const
         Info<< "Carried   defect " << flux.defect() << " of a cell, correction "
             << flux.correction() << " of the fluid, without room "
             << flux.volumeWithoutRoom() << " m^3, scalars unaccounted "
-            << carried_.unaccounted() << nl;
+            << carriedUnaccounted_ << nl;
     }
 
     const grainTally& injected = grains_.motion().injected();
@@ -107,7 +107,7 @@ void Foam::grainLedger::write()
         const transportFlux& flux = carried_.flux();
         file_()
             << c << flux.defect() << c << flux.correction()
-            << c << flux.volumeWithoutRoom() << c << carried_.unaccounted();
+            << c << flux.volumeWithoutRoom() << c << carriedUnaccounted_;
     }
     else
     {

@@ -20,6 +20,7 @@ LIBRARIES = (
     "grains",
     "grainExchange",
     "vans",
+    "grainThermal",
     "grainRun",
     "functionObjects",
 )

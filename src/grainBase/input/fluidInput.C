@@ -10,7 +10,11 @@
 #include "OSspecific.H"
 #include "Time.H"
 
-void Foam::checkTransportProperties(const dictionary& dict)
+void Foam::checkTransportProperties
+(
+    const dictionary& dict,
+    const wordList& others
+)
 {
     const word Newtonian("Newtonian");
     const word model(dict.getOrDefault<word>("transportModel", Newtonian));
@@ -19,7 +23,22 @@ void Foam::checkTransportProperties(const dictionary& dict)
         "FoamFile", "rho", "transportModel", model + "Coeffs", "HeleShaw",
         "scalars"
     });
-    if (model == Newtonian)
+    allowed.append(others);
+    if (dict.found("mu") && others.found("mu"))
+    {
+        for (const word& name : {word("transportModel"), word("nu")})
+        {
+            if (dict.found(name))
+            {
+                dictionaryInput::badValue
+                (
+                    dict, name, dictionaryInput::written(dict, name),
+                    "nothing, as there is mu"
+                );
+            }
+        }
+    }
+    else if (model == Newtonian)
     {
         dictionaryInput::getPositive
         (

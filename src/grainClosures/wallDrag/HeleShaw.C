@@ -7,14 +7,20 @@
 
 #include "dictionaryInput.H"
 
-Foam::scalar Foam::HeleShawPlates(const dictionary& dict)
+Foam::scalar Foam::HeleShawPlates
+(
+    const dictionary& dict,
+    const wordList& moreEntries
+)
 {
     if (!dict.found("HeleShaw"))
     {
         return 0;
     }
     const dictionary& plates = dictionaryInput::subDict(dict, "HeleShaw");
-    dictionaryInput::checkKeywords(plates, {"gap"});
+    wordList allowed({"gap"});
+    allowed.append(moreEntries);
+    dictionaryInput::checkKeywords(plates, allowed);
 
     return 12/sqr(dictionaryInput::getPositive(plates, "gap", dimLength));
 }

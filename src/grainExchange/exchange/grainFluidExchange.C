@@ -94,8 +94,9 @@ Foam::tmp<Foam::volVectorField> Foam::grainFluidExchange::seenByGrains
 }
 
 
-void Foam::grainFluidExchange::setFluidShare()
+void Foam::grainFluidExchange::findShares()
 {
+    resolved_->update();
     if (!resolved_->isActive())
     {
         fields_.fluidShare == eps_;
@@ -126,8 +127,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     const stopwatch::lap lap(time_);
     const tmp<volVectorField> U(seenByGrains(cellU));
 
-    resolved_->update();
-    setFluidShare();
+    findShares();
 
     fields_.clear();
     unresolved_.predict(eps_, U(), *resolved_, fields_);

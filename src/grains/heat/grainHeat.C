@@ -17,10 +17,11 @@ using namespace Foam;
 const dimensionSet dimConductivity(1, 1, -3, -1, 0);
 const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
 
+//- Null for none
 template<int D>
 nscd::ConductanceLaw law(const dictionary& dict)
 {
-    dictionaryInput::checkKeywords(dict, {"conductance"});
+    dictionaryInput::checkKeywords(dict, {"conductance", "inside"});
 
     namespace laws = nscd::conductance;
     const HashTable<nscd::ConductanceLaw> known
@@ -28,12 +29,17 @@ nscd::ConductanceLaw law(const dictionary& dict)
         D == 2
       ? HashTable<nscd::ConductanceLaw>
         {
+            {"none", nullptr},
             {"rowOfSpheres", laws::rowOfSpheres},
             {"spot", laws::spot},
             {"squarePatch", laws::squarePatch},
             {"strip", laws::strip}
         }
-      : HashTable<nscd::ConductanceLaw>{{"spheres", laws::spheres}}
+      : HashTable<nscd::ConductanceLaw>
+        {
+            {"none", nullptr},
+            {"spheres", laws::spheres}
+        }
     );
     return known
     [
@@ -85,13 +91,17 @@ Foam::grainHeat<D>::grainHeat
     properties_(properties),
     materials_(materials),
     walls_(walls),
-    conduction_
+    conduction_(newConduction(space.depth())),
+    conductInside_
     (
-        thermalMaterials(),
-        space.depth(),
-        law<D>(dictionaryInput::subDict(properties, "heat"))
+        dictionaryInput::getWordOrDefault
+        (
+            properties.subDict("heat"), "inside", "isothermal",
+            {"conducting", "isothermal"}
+        ) == "conducting"
     ),
     heatCapacity_(materials.names().size(), Zero),
+    conductivity_(materials.names().size(), Zero),
     wallHeat_(walls.heatedNames().size(), Zero)
 {
     forAll(heatCapacity_, i)
@@ -99,6 +109,10 @@ Foam::grainHeat<D>::grainHeat
         heatCapacity_[i] = dictionaryInput::getPositiveOrDefault
         (
             ofMaterial(i), "heatCapacity", dimHeatCapacity, 0
+        );
+        conductivity_[i] = dictionaryInput::getPositiveOrDefault
+        (
+            ofMaterial(i), "conductivity", dimConductivity, 0
         );
     }
     readWalls();
@@ -134,6 +148,24 @@ std::vector<nscd::ThermalMaterial> Foam::grainHeat<D>::thermalMaterials() const
 
 
 template<int D>
+std::unique_ptr<const nscd::Conduction<D>>
+Foam::grainHeat<D>::newConduction(const scalar depth) const
+{
+    const nscd::ConductanceLaw conductance
+    (
+        law<D>(dictionaryInput::subDict(properties_, "heat"))
+    );
+    return
+        conductance
+      ? std::make_unique<const nscd::Conduction<D>>
+        (
+            thermalMaterials(), depth, conductance
+        )
+      : nullptr;
+}
+
+
+template<int D>
 void Foam::grainHeat<D>::readWalls()
 {
     forAll(walls_.heated(), i)
@@ -141,6 +173,16 @@ void Foam::grainHeat<D>::readWalls()
         nscd::ThermalWall wall{nscd::materialOf(walls_.walls()[i]), {}};
         if (walls_.heated()[i] >= 0)
         {
+            if (!conduction_)
+            {
+                dictionaryInput::badValue
+                (
+                    properties_.subDict("heat"), "conductance", "none",
+                    "a conductance, as the wall '"
+                  + walls_.heatedNames()[walls_.heated()[i]]
+                  + "' has a temperature"
+                );
+            }
             wall.temperature = walls_.temperatures()[walls_.heated()[i]];
         }
         thermalWalls_.push_back(wall);
@@ -183,7 +225,7 @@ std::vector<double> Foam::grainHeat<D>::capacities
     std::vector<double> result(grains.size());
     for (std::size_t i = 0; i < result.size(); ++i)
     {
-        result[i] = heatCapacity_[grains.material[i]]*grains.mass[i];
+        result[i] = capacity(grains, i);
     }
     return result;
 }
@@ -197,7 +239,11 @@ std::vector<double> Foam::grainHeat<D>::advance
     const scalar deltaT
 )
 {
-    nscd::Heated heated = conduction_.advance
+    if (!conduction_)
+    {
+        return grains.temperature;
+    }
+    nscd::Heated heated = conduction_->advance
     (
         grains, capacities(grains), contacts, thermalWalls_, deltaT
     );

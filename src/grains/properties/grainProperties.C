@@ -80,6 +80,7 @@ void Foam::grainProperties<D>::check() const
             coupling(),
             {
                 "packingRatio", "motion", "form", "voidFraction", "drag", "viscosity",
+                "heatTransfer",
                 "addedMass", "lift", "undisturbedFlow", "resolvedGrains"
             }
         );

@@ -11,17 +11,39 @@
 
 #include <algorithm>
 
-Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
+Foam::grainSystem::grainSystem
+(
+    const fvMesh& mesh,
+    const vector& g,
+    const bool withHeat
+)
 :
     mesh_(mesh),
     motion_(grainMotion::New(mesh, g))
 {
-    if (motion_->conducts())
+    if (motion_->conducts() && !withHeat)
     {
         FatalIOErrorInFunction(motion_->coupling())
             << "Keyword 'heat' of constant/grainProperties: this solver does"
             << " not conduct heat" << nl
-            << "    allowed: in dryGrainFoam" << exit(FatalIOError);
+            << "    allowed: in dryGrainFoam and grainThermalFoam"
+            << exit(FatalIOError);
+    }
+    if (!withHeat && motion_->coupling().found("heatTransfer"))
+    {
+        dictionaryInput::badValue
+        (
+            motion_->coupling(), "heatTransfer", "a law",
+            "nothing, as this solver has no heat; grainThermalFoam has"
+        );
+    }
+    if (withHeat && !motion_->conducts())
+    {
+        FatalIOErrorInFunction(motion_->coupling())
+            << "Keyword 'heat' of constant/grainProperties is missing" << nl
+            << "    allowed: heat { conductance <law>; }, or none for grains"
+            << " that exchange heat with the fluid alone"
+            << exit(FatalIOError);
     }
 
     setCells();

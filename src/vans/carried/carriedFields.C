@@ -13,7 +13,8 @@ Foam::carriedFields::carriedFields
 (
     const vansFields& fields,
     const volScalarField& eps,
-    singleFluid& fluid
+    singleFluid& fluid,
+    const bool isMore
 )
 {
     const fvMesh& mesh = eps.mesh();
@@ -23,17 +24,25 @@ Foam::carriedFields::carriedFields
             dictionaryInput::subDict(fluid.properties(), "scalars");
         for (const word& name : dict.toc())
         {
-            scalars_.append
+            const dictionary& entries = dictionaryInput::subDict(dict, name);
+            dictionaryInput::checkKeywords(entries, {"D"});
+            D_.append
             (
-                new fluidScalar
+                dimensionedScalar
                 (
-                    mesh, name, dictionaryInput::subDict(dict, name)
+                    "D",
+                    dimViscosity,
+                    dictionaryInput::getScalarOrDefault
+                    (
+                        entries, "D", dimViscosity, 0, 0
+                    )
                 )
             );
+            scalars_.append(new fluidScalar(mesh, name));
         }
     }
     const bool isTurbulent = vansTurbulence::isSelected(mesh);
-    if (isTurbulent || scalars_.size())
+    if (isTurbulent || isMore || scalars_.size())
     {
         flux_.reset(new transportFlux
             (
@@ -95,9 +104,9 @@ void Foam::carriedFields::carry
       ? scalarField(filled/mesh.time().deltaTValue())
       : scalarField(mesh.nCells(), Zero)
     );
-    for (fluidScalar& one : scalars_)
+    forAll(scalars_, i)
     {
-        one.carry(*flux_);
+        scalars_[i].carry(*flux_, D_[i]);
     }
     if (turbulence_)
     {

@@ -21,7 +21,9 @@ const Foam::word Newtonian("Newtonian");
 Foam::singleFluid::singleFluid
 (
     const volVectorField& U,
-    const surfaceScalarField& phiU
+    const surfaceScalarField& phiU,
+    const wordList& moreEntries,
+    const wordList& moreEntriesOfPlates
 )
 :
     properties_
@@ -53,14 +55,22 @@ Foam::singleFluid::singleFluid
         U.mesh(),
         dimensionedScalar(dimDynamicViscosity, Zero)
     ),
-    plates_("plates", dimless/dimArea, HeleShawPlates(properties_))
+    plates_
+    (
+        "plates",
+        dimless/dimArea,
+        HeleShawPlates(properties_, moreEntriesOfPlates)
+    )
 {
-    checkTransportProperties(properties_);
+    checkTransportProperties(properties_, moreEntries);
     if (properties_.found("transportModel"))
     {
         model_.reset(new singlePhaseTransportModel(U, phiU));
     }
-    setMu();
+    if (!properties_.found("mu"))
+    {
+        setMu();
+    }
 }
 
 
@@ -78,6 +88,12 @@ Foam::dimensionedScalar Foam::singleFluid::nu() const
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::singleFluid::muWithoutModel() const
+{
+    return rho_*nu();
+}
+
+
 void Foam::singleFluid::setMu()
 {
     if (model_)
@@ -86,7 +102,7 @@ void Foam::singleFluid::setMu()
     }
     else
     {
-        mu_ == rho_*nu();
+        mu_ == muWithoutModel();
     }
     if (nut_)
     {
@@ -100,6 +116,10 @@ void Foam::singleFluid::correct()
     if (model_)
     {
         model_->correct();
+        setMu();
+    }
+    else if (properties_.found("mu"))
+    {
         setMu();
     }
 }

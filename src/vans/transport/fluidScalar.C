@@ -28,16 +28,9 @@ Foam::scalar Foam::fluidScalar::endShare(const fvMesh& mesh, const word& name)
 Foam::fluidScalar::fluidScalar
 (
     const fvMesh& mesh,
-    const word& name,
-    const dictionary& dict
+    const word& name
 )
 :
-    D_
-    (
-        "D",
-        dimViscosity,
-        dictionaryInput::getScalarOrDefault(dict, "D", dimViscosity, 0, 0)
-    ),
     endShare_(endShare(mesh, name)),
     T_
     (
@@ -51,10 +44,11 @@ Foam::fluidScalar::fluidScalar
         ),
         mesh
     ),
-    unaccounted_(0)
-{
-    dictionaryInput::checkKeywords(dict, {"D"});
-}
+    unaccounted_(0),
+    carriedOut_(mesh.boundary().size(), Zero),
+    diffusedOut_(mesh.boundary().size(), Zero),
+    broughtIn_(0)
+{}
 
 
 void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)
@@ -102,44 +96,89 @@ Foam::scalar Foam::fluidScalar::magnitude(const transportFlux& flux) const
 }
 
 
+void Foam::fluidScalar::addOutflow
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& conductivity,
+    const scalar share
+)
+{
+    const scalar time = share*T_.time().deltaTValue();
+    forAll(carriedOut_, patchi)
+    {
+        const fvPatchScalarField& T = T_.boundaryField()[patchi];
+        if (!T.coupled())
+        {
+            carriedOut_[patchi] +=
+                time*gSum(flux.boundaryField()[patchi]*T);
+            diffusedOut_[patchi] -=
+                time
+               *gSum
+                (
+                    conductivity.boundaryField()[patchi]
+                   *T.patch().magSf()*T.snGrad()
+                );
+        }
+    }
+}
+
+
 void Foam::fluidScalar::carry
 (
     const transportFlux& flux,
-    const scalarField& given
+    const dimensionedScalar& D
+)
+{
+    carry(flux, D*fvc::interpolate(flux.fraction()));
+}
+
+
+void Foam::fluidScalar::carry
+(
+    const transportFlux& flux,
+    const surfaceScalarField& conductivity,
+    const cellExchange& exchange
 )
 {
     const fvMesh& mesh = T_.mesh();
+    const scalarField& V = mesh.V().field();
     const scalar deltaT = mesh.time().deltaTValue();
     const surfaceScalarField& F = flux.flux();
-    const surfaceScalarField conductance
-    (
-        "conductance", D_*fvc::interpolate(flux.fraction())
-    );
 
     const fvScalarMatrix transport
     (
         fvm::div(F, T_, "div(" + F.name() + ',' + T_.name() + ')')
-      - fvm::laplacian(conductance, T_, "laplacian(D," + T_.name() + ')')
+      - fvm::laplacian(conductivity, T_, "laplacian(D," + T_.name() + ')')
     );
     const auto leaving = [&]()
     {
-        return scalarField((transport & T_)().primitiveField()*mesh.V().field());
+        return scalarField((transport & T_)().primitiveField()*V);
     };
     const scalarField atBeginning((1 - endShare_)*leaving());
+    carriedOut_ = Zero;
+    diffusedOut_ = Zero;
+    addOutflow(F, conductivity, 1 - endShare_);
+
     const scalarField& oldVolume = flux.oldVolume();
-    const scalarField source(flux.source()*mesh.V().field());
+    const scalarField source(flux.source()*V);
     scalarField gained((1 - endShare_)*source*T_.primitiveField());
-    if (given.size())
+    if (exchange.given.size())
     {
-        gained += given*mesh.V().field();
+        gained += exchange.given*V;
+    }
+    scalarField lost(-endShare_*source);
+    if (exchange.coefficient.size())
+    {
+        lost += exchange.coefficient*V;
     }
 
     fvScalarMatrix TEqn(dimensionedScalar("endShare", dimless, endShare_)*transport);
-    TEqn.diag() += flux.volume()/deltaT - endShare_*source;
+    TEqn.diag() += flux.volume()/deltaT + lost;
     TEqn.source() +=
         oldVolume/deltaT*T_.primitiveField() + gained - atBeginning;
 
     unaccounted_ = -gSum(oldVolume*T_.primitiveField());
+    broughtIn_ = (1 - endShare_)*gSum(source*T_.primitiveField());
     TEqn.solve(mesh.solverDict(T_.name()));
 
     unaccounted_ +=
@@ -147,7 +186,10 @@ void Foam::fluidScalar::carry
       + deltaT
        *gSum
         (
-            endShare_*(leaving() - source*T_.primitiveField())
+            endShare_*leaving() + lost*T_.primitiveField()
           + atBeginning - gained
         );
+    addOutflow(F, conductivity, endShare_);
+    broughtIn_ += endShare_*gSum(source*T_.primitiveField());
+    broughtIn_ *= deltaT;
 }

@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    grainThermalFoam
+
+Group
+    grpGrainSolvers
+
+Description
+    grainFoam with heat: fluid and grains exchange it over their overlaps,
+    grains conduct it through their contacts, the fluid is driven by its
+    weight in Boussinesq's approximation (doc/theory, chapter 8).
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "dynamicFvMesh.H"
+#include "pisoControl.H"
+
+#include "adjustableTimeStep.H"
+#include "carriedFields.H"
+#include "dictionaryInput.H"
+#include "fluidHeat.H"
+#include "fluidInput.H"
+#include "grainFluidExchange.H"
+#include "grainFluidHeat.H"
+#include "grainLedger.H"
+#include "heatLedger.H"
+#include "incompleteTimes.H"
+#include "sigFpe.H"
+#include "thermalFluid.H"
+#include "vansFlow.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Incompressible flow and heat with immersed grains in contact."
+    );
+
+    #include "setRootCaseLists.H"
+
+    setAsideIncompleteTimes(args);
+
+    #include "createTime.H"
+    #include "createDynamicFvMesh.H"
+
+    pisoControl piso(mesh);
+
+    #include "createFields.H"
+
+    // What goes wrong is looked for and reported by name
+    const sigFpe::ignore ignoreFpe;
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        carried.startStep();
+        exchange.inject(fields.U);
+        timeStep.set(flow.relativePhiU());
+        ++runTime;
+
+        ledger.startStep(flow.relativePhiU());
+
+        if (mesh.dynamic())
+        {
+            flow.beforeMeshChange();
+            carried.beforeMeshChange();
+            heat.beforeMeshChange(carried.flux());
+            if (mesh.update())
+            {
+                exchange.meshChanged();
+                flow.meshChanged();
+                heat.meshChanged(carried.flux());
+                carried.meshChanged();
+                ledger.meshChanged();
+            }
+        }
+
+        heatBooks.startStep(carried.flux());
+        exchange.predict(fields.U);
+        fluid.correct();
+
+        flow.startStep();
+        flow.predict(piso.momentumPredictor());
+        while (piso.correct())
+        {
+            flow.correct(piso);
+        }
+
+        exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
+        exchange.discharge(fields.U, fields.phiU);
+
+        carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
+        heat.solve(carried.flux(), fields.U, fluid, heatExchange);
+
+        ledger.endStep(fields.phi, fields.phiU);
+        heatBooks.endStep(carried.flux());
+        grains.checkLost();
+
+        if (runTime.writeTime())
+        {
+            grains.motion().beginWrite();
+            runTime.write();
+            grains.motion().endWrite();
+        }
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}

@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "grainFluidHeat.H"
+
+#include "combineOverRanks.H"
+#include "meanOverGrains.H"
+
+Foam::grainFluidHeat::grainFluidHeat
+(
+    grainSystem& grains,
+    grainFluidExchange& exchange,
+    const thermalFluid& fluid,
+    const volScalarField& T
+)
+:
+    grains_(grains),
+    exchange_(exchange),
+    fluid_(fluid),
+    unresolved_(grains, fluid),
+    resolved_(grains, exchange.resolved()),
+    received_(0),
+    outside_(0)
+{
+    exchange.findShares();
+    if (resolved_.conducts())
+    {
+        // The cells' temperature is the state
+        const scalarField mean(meanOverGrains(grains, T));
+        scalarField TGrain(grains.size());
+        forAll(TGrain, i)
+        {
+            TGrain[i] =
+                exchange.resolved().isResolved(i)
+              ? mean[i]
+              : grains.temperatures().temperature(i);
+        }
+        grains.temperatures().setTemperatures(TGrain);
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::grainFluidHeat::openConductivity() const
+{
+    return
+        fluid_.kappaEff()
+       *(exchange_.fields().fluidShare + exchange_.resolved().locked());
+}
+
+
+Foam::cellHeat Foam::grainFluidHeat::cells
+(
+    const volScalarField& T,
+    const volVectorField& U
+)
+{
+    exchange_.findShares();
+
+    const volScalarField open("openConductivity", openConductivity());
+    cellHeat result(open);
+    unresolved_.add(exchange_.eps(), U, exchange_.resolved(), result);
+    resolved_.add(T, open, result);
+
+    const plateHeat& plates = fluid_.plates();
+    if (plates.coefficient() > 0)
+    {
+        forAll(T, celli)
+        {
+            result.add(celli, plates.coefficient(), plates.temperature());
+        }
+    }
+    return result;
+}
+
+
+void Foam::grainFluidHeat::give(const volScalarField& T)
+{
+    grainTemperatures& grainT = grains_.temperatures();
+    const scalar deltaT = T.time().deltaTValue();
+
+    scalarField heat(grains_.size(), Zero);
+    unresolved_.addReceived(T, exchange_.resolved(), heat);
+    resolved_.addReceived(T, heat);
+    sumOverRanks(heat);
+
+    received_ = sum(heat);
+    outside_ = 0;
+    scalarField TNew(grains_.size());
+    forAll(TNew, i)
+    {
+        scalar gained = heat[i];
+        if (grains_.isAtOpening(i))
+        {
+            gained *= grains_.volume(i)/grains_.mappedVolume()[i];
+            outside_ += gained - heat[i];
+        }
+        TNew[i] = grainT.temperature(i) + gained/grainT.heatCapacity(i);
+    }
+    grainT.setTemperatures(TNew);
+    grainT.conduct(deltaT);
+}

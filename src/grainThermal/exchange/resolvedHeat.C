@@ -1,0 +1,274 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "resolvedHeat.H"
+
+#include "combineOverRanks.H"
+
+bool Foam::resolvedHeat::conductsInside(const grainSystem& grains)
+{
+    const grainTemperatures& heat = grains.temperatures();
+    if (!heat.conductInside())
+    {
+        return false;
+    }
+    const auto refuse = [&](const string& allowed)
+    {
+        FatalIOErrorInFunction(grains.motion().coupling())
+            << "Keyword 'inside' of 'heat' in constant/grainProperties has the"
+            << " value conducting" << nl
+            << "    allowed: " << allowed.c_str() << exit(FatalIOError);
+    };
+    if (!grains.motion().isFixed())
+    {
+        refuse("isothermal, as the grains move: only fixed ones conduct inside");
+    }
+    if (heat.conductThroughContacts())
+    {
+        refuse("isothermal, or 'conductance none' beside it");
+    }
+    for (label i = 0; i < grains.size(); ++i)
+    {
+        if (heat.conductivity(i) <= 0)
+        {
+            refuse("isothermal, or materials with a conductivity [W/m/K]");
+        }
+    }
+    return true;
+}
+
+
+Foam::resolvedHeat::resolvedHeat
+(
+    const grainSystem& grains,
+    const resolvedTerm& resolved
+)
+:
+    grains_(grains),
+    resolved_(resolved),
+    conducts_(conductsInside(grains))
+{}
+
+
+Foam::tmp<Foam::volScalarField> Foam::resolvedHeat::grainOfCells() const
+{
+    tmp<volScalarField> tgrain
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "grainOfCells", grains_.mesh().time().timeName(), grains_.mesh()
+            ),
+            grains_.mesh(),
+            dimensionedScalar("none", dimless, -1)
+        )
+    );
+    forAll(tgrain(), celli)
+    {
+        tgrain.ref()[celli] = resolved_.grainOf(celli);
+    }
+    tgrain.ref().correctBoundaryConditions();
+    return tgrain;
+}
+
+
+Foam::scalar Foam::resolvedHeat::capacity(const label graini) const
+{
+    const scalar volume = grains_.volume(graini);
+    const scalar inMesh = grains_.mappedVolume()[graini]/volume;
+    return
+        grains_.temperatures().heatCapacity(graini)
+       *(conducts_ ? 1/volume : inMesh/max(lockedVolume_[graini], VSMALL));
+}
+
+
+Foam::scalar Foam::resolvedHeat::conductivity
+(
+    const scalar k,
+    const label own,
+    const label neighbour,
+    const scalar byPart
+) const
+{
+    if (own == neighbour)
+    {
+        return
+            conducts_
+          ? grains_.temperatures().conductivity(own)
+          : capacity(own)*sqr(grains_.fluidDiameter(own))
+           /grains_.mesh().time().deltaTValue();
+    }
+    if (own >= 0 && neighbour >= 0)
+    {
+        return k;
+    }
+    const scalar rest =
+        conducts_
+      ? (1 - 1/byPart)/grains_.temperatures().conductivity(max(own, neighbour))
+      : 0;
+    return 1/(1/(byPart*k) + rest);
+}
+
+
+void Foam::resolvedHeat::setFaces
+(
+    const volScalarField& kappa,
+    surfaceScalarField& faces
+) const
+{
+    const fvMesh& mesh = grains_.mesh();
+    const volScalarField grain(grainOfCells());
+    const surfaceScalarField& byPart = resolved_.conductance();
+
+    const auto set = [&]
+    (
+        scalar& face,
+        const scalar kOwn,
+        const scalar kNeighbour,
+        const label own,
+        const label neighbour,
+        const scalar part
+    )
+    {
+        if (own >= 0 || neighbour >= 0)
+        {
+            const scalar k = own < 0 ? kOwn : kNeighbour;
+            face = conductivity(k, own, neighbour, part);
+        }
+    };
+
+    forAll(mesh.neighbour(), facei)
+    {
+        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
+        set
+        (
+            faces[facei], kappa[P], kappa[N], label(grain[P]), label(grain[N]),
+            byPart[facei]
+        );
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatchScalarField& g = grain.boundaryField()[patchi];
+        if (!g.coupled())
+        {
+            continue;
+        }
+        const fvPatchScalarField& k = kappa.boundaryField()[patchi];
+        const scalarField own(g.patchInternalField());
+        const scalarField neighbour(g.patchNeighbourField());
+        const scalarField kOwn(k.patchInternalField());
+        const scalarField kNeighbour(k.patchNeighbourField());
+        forAll(g, i)
+        {
+            set
+            (
+                faces.boundaryFieldRef()[patchi][i], kOwn[i], kNeighbour[i],
+                label(own[i]), label(neighbour[i]),
+                byPart.boundaryField()[patchi][i]
+            );
+        }
+    }
+}
+
+
+void Foam::resolvedHeat::add
+(
+    const volScalarField& T,
+    const volScalarField& kappa,
+    cellHeat& cells
+)
+{
+    if (!resolved_.isActive())
+    {
+        return;
+    }
+    const fvMesh& mesh = grains_.mesh();
+    const scalar deltaT = mesh.time().deltaTValue();
+
+    lockedVolume_ = scalarField(grains_.size(), Zero);
+    forAll(mesh.V(), celli)
+    {
+        const label graini = resolved_.grainOf(celli);
+        if (graini >= 0)
+        {
+            lockedVolume_[graini] += mesh.V()[celli];
+        }
+    }
+    sumOverRanks(lockedVolume_);
+    setFaces(kappa, cells.conductivity);
+
+    if (!conducts_)
+    {
+        forAll(mesh.V(), celli)
+        {
+            const label graini = resolved_.grainOf(celli);
+            if (graini >= 0)
+            {
+                cells.add
+                (
+                    celli, capacity(graini)/deltaT,
+                    grains_.temperatures().temperature(graini)
+                );
+            }
+        }
+        return;
+    }
+    for (label graini = 0; graini < grains_.size(); ++graini)
+    {
+        if (resolved_.isResolved(graini))
+        {
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                cells.add
+                (
+                    o.cell, o.volume/mesh.V()[o.cell]*capacity(graini)/deltaT,
+                    T[o.cell]
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::resolvedHeat::addReceived
+(
+    const volScalarField& T,
+    scalarField& heat
+) const
+{
+    if (!resolved_.isActive())
+    {
+        return;
+    }
+    const fvMesh& mesh = grains_.mesh();
+    const grainTemperatures& grainT = grains_.temperatures();
+    if (!conducts_)
+    {
+        forAll(mesh.V(), celli)
+        {
+            const label graini = resolved_.grainOf(celli);
+            if (graini >= 0)
+            {
+                heat[graini] +=
+                    capacity(graini)*mesh.V()[celli]
+                   *(T[celli] - grainT.temperature(graini));
+            }
+        }
+        return;
+    }
+    for (label graini = 0; graini < grains_.size(); ++graini)
+    {
+        if (resolved_.isResolved(graini))
+        {
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                heat[graini] +=
+                    capacity(graini)*o.volume
+                   *(T[o.cell] - grainT.temperature(graini));
+            }
+        }
+    }
+}

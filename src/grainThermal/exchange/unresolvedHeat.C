@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "unresolvedHeat.H"
+
+#include "dictionaryInput.H"
+
+Foam::unresolvedHeat::unresolvedHeat
+(
+    const grainSystem& grains,
+    const thermalFluid& fluid
+)
+:
+    grains_(grains),
+    fluid_(fluid),
+    law_
+    (
+        heatLaw::New
+        (
+            dictionaryInput::subDict(grains.motion().coupling(), "heatTransfer"),
+            grains.mesh().nGeometricD()
+        )
+    ),
+    hasWarned_(false)
+{}
+
+
+Foam::scalar Foam::unresolvedHeat::h
+(
+    const label graini,
+    const cellOverlap& o,
+    const scalar eps,
+    const scalar slip
+) const
+{
+    const scalar d = grains_.fluidDiameter(graini);
+    const scalar mu = fluid_.mu()[o.cell];
+    const scalar k = fluid_.kappa()[o.cell];
+    const scalar rho = fluid_.rho()[o.cell];
+    const scalar Re = rho*slip*d/mu;
+    const scalar Pr = mu*fluid_.capacity()/(rho*k);
+
+    return law_->perVolume(law_->Nu(eps, Re, Pr), k, d);
+}
+
+
+void Foam::unresolvedHeat::warn
+(
+    const volScalarField& eps,
+    const volVectorField& U
+)
+{
+    if (hasWarned_)
+    {
+        return;
+    }
+    const heatLaw::range tried(law_->tried());
+    const overlapList& overlaps = grains_.overlaps();
+    scalar leastEps = 1;
+    scalar mostRe = 0;
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        const grainMotion::twist motion(grains_.motion().motion(graini));
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const scalar Re =
+                fluid_.rho()[o.cell]*mag(U[o.cell] - motion.at(o.arm))
+               *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell];
+            leastEps = min(leastEps, eps[o.cell]);
+            mostRe = max(mostRe, Re);
+        }
+    }
+    reduce(leastEps, minOp<scalar>());
+    reduce(mostRe, maxOp<scalar>());
+
+    if (leastEps < tried.leastEps || mostRe > tried.mostRe)
+    {
+        hasWarned_ = true;
+        WarningInFunction
+            << "The law of coupling/heatTransfer was found for fluid fractions"
+            << " from " << tried.leastEps << " and Reynolds numbers up to "
+            << tried.mostRe << nl
+            << "    here are a fluid fraction of " << leastEps
+            << " and a Reynolds number of " << mostRe << " (said once)" << endl;
+    }
+}
+
+
+void Foam::unresolvedHeat::add
+(
+    const volScalarField& eps,
+    const volVectorField& U,
+    const resolvedTerm& resolved,
+    cellHeat& cells
+)
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const scalarField& V = grains_.mesh().V();
+
+    warn(eps, U);
+    scalarField coefficient(V.size(), Zero);
+    scalarField given(V.size(), Zero);
+    transfer_.resize(overlaps.size());
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (overlaps.of(graini).empty() || resolved.isResolved(graini))
+        {
+            continue;
+        }
+        const grainMotion::twist motion(grains_.motion().motion(graini));
+        const scalar T = grains_.temperatures().temperature(graini);
+        const scalar C = capacity(graini);
+
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const implicitTransfer<scalar>& t = transfer_[o.index] =
+                implicitTransfer<scalar>
+                (
+                    h
+                    (
+                        graini,
+                        o,
+                        max(eps[o.cell], exchangeFields::epsMin),
+                        mag(U[o.cell] - motion.at(o.arm))
+                    ),
+                    deltaT, C, T
+                );
+            const scalar ha = o.volume/V[o.cell]*t.gamma*t.a;
+            coefficient[o.cell] += ha;
+            given[o.cell] += ha*T;
+        }
+    }
+    grains_.voidFraction().smooth(coefficient);
+    grains_.voidFraction().smooth(given);
+    cells.coefficient += coefficient;
+    cells.given += given;
+}
+
+
+void Foam::unresolvedHeat::addReceived
+(
+    const volScalarField& T,
+    const resolvedTerm& resolved,
+    scalarField& heat
+) const
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    scalarField seen(T.primitiveField());
+    grains_.voidFraction().smooth(seen);
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (resolved.isResolved(graini))
+        {
+            continue;
+        }
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            heat[graini] +=
+                deltaT*o.volume*transfer_[o.index].given(seen[o.cell], 0);
+        }
+    }
+}

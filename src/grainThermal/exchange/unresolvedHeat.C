@@ -27,6 +27,21 @@ Foam::unresolvedHeat::unresolvedHeat
 {}
 
 
+Foam::implicitTransfer<Foam::scalar> Foam::unresolvedHeat::transfer
+(
+    const scalar h,
+    const scalar deltaT,
+    const scalar capacity,
+    const scalar T
+)
+{
+    implicitTransfer<scalar> result(h, deltaT, capacity, T);
+    const scalar x = h*deltaT/capacity;
+    result.a = x > 0 ? -std::expm1(-x)/x : 1;
+    return result;
+}
+
+
 Foam::scalar Foam::unresolvedHeat::h
 (
     const label graini,
@@ -117,7 +132,7 @@ void Foam::unresolvedHeat::add
         for (const cellOverlap& o : overlaps.of(graini))
         {
             const implicitTransfer<scalar>& t = transfer_[o.index] =
-                implicitTransfer<scalar>
+                transfer
                 (
                     h
                     (

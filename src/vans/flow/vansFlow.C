@@ -99,13 +99,25 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
     const volScalarField& eps
 ) const
 {
-    tmp<surfaceScalarField> flux
-    (
-        fvc::interpolate(eps/step_->alpha)*fields_.phiAlpha
-    );
+    surfaceScalarField share("share", fvc::interpolate(eps/step_->alpha));
+    surfaceScalarField open("open", fvc::interpolate(eps));
+    forAll(share.boundaryField(), patchi)
+    {
+        // Where grains do not cross the boundary, all that does is fluid
+        if
+        (
+            !mesh_.boundary()[patchi].coupled()
+         && !grains_.freePatches.found(patchi)
+        )
+        {
+            share.boundaryFieldRef()[patchi] = 1;
+            open.boundaryFieldRef()[patchi] = 1;
+        }
+    }
+    tmp<surfaceScalarField> flux(share*fields_.phiAlpha);
     if (mesh_.moving())
     {
-        flux.ref() -= fvc::interpolate(eps)*mesh_.phi();
+        flux.ref() -= open*mesh_.phi();
     }
     return flux;
 }

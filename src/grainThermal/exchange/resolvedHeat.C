@@ -90,7 +90,8 @@ Foam::scalar Foam::resolvedHeat::conductivity
     const scalar k,
     const label own,
     const label neighbour,
-    const scalar byPart
+    const scalar byPart,
+    const face& place
 ) const
 {
     if (own == neighbour)
@@ -105,11 +106,49 @@ Foam::scalar Foam::resolvedHeat::conductivity
     {
         return k;
     }
-    const scalar rest =
-        conducts_
-      ? (1 - 1/byPart)/grains_.temperatures().conductivity(max(own, neighbour))
-      : 0;
-    return 1/(1/(byPart*k) + rest);
+    if (!conducts_)
+    {
+        return byPart*k;
+    }
+    const label graini = max(own, neighbour);
+    const scalar kGrain = grains_.temperatures().conductivity(graini);
+    const scalar part = 1/byPart;
+    const scalar inSeries = 1/(part/k + (1 - part)/kGrain);
+    if (kGrain > k)
+    {
+        return inSeries;
+    }
+    const scalar across = sqr(normal(graini, place.centre) & place.normal);
+    const scalar sideBySide = part*k + (1 - part)*kGrain;
+    return across*inSeries + (1 - across)*sideBySide;
+}
+
+
+Foam::vector Foam::resolvedHeat::normal
+(
+    const label graini,
+    const point& x
+) const
+{
+    scalar nearest = GREAT;
+    vector result(Zero);
+    for (const grainMember& body : grains_.members(graini))
+    {
+        vector r(grains_.shortest(x - body.centre));
+        for (direction i = 0; i < vector::nComponents; ++i)
+        {
+            if (grains_.mesh().geometricD()[i] < 0)
+            {
+                r[i] = 0;
+            }
+        }
+        if (mag(r) - body.radius < nearest)
+        {
+            nearest = mag(r) - body.radius;
+            result = r/max(mag(r), VSMALL);
+        }
+    }
+    return result;
 }
 
 
@@ -125,7 +164,8 @@ void Foam::resolvedHeat::setFaces
 
     const auto set = [&]
     (
-        scalar& face,
+        scalar& faceK,
+        const face& place,
         const scalar kOwn,
         const scalar kNeighbour,
         const label own,
@@ -136,7 +176,7 @@ void Foam::resolvedHeat::setFaces
         if (own >= 0 || neighbour >= 0)
         {
             const scalar k = own < 0 ? kOwn : kNeighbour;
-            face = conductivity(k, own, neighbour, part);
+            faceK = conductivity(k, own, neighbour, part, place);
         }
     };
 
@@ -145,8 +185,9 @@ void Foam::resolvedHeat::setFaces
         const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
         set
         (
-            faces[facei], kappa[P], kappa[N], label(grain[P]), label(grain[N]),
-            byPart[facei]
+            faces[facei],
+            {mesh.Cf()[facei], mesh.Sf()[facei]/mesh.magSf()[facei]},
+            kappa[P], kappa[N], label(grain[P]), label(grain[N]), byPart[facei]
         );
     }
     forAll(mesh.boundary(), patchi)
@@ -165,8 +206,9 @@ void Foam::resolvedHeat::setFaces
         {
             set
             (
-                faces.boundaryFieldRef()[patchi][i], kOwn[i], kNeighbour[i],
-                label(own[i]), label(neighbour[i]),
+                faces.boundaryFieldRef()[patchi][i],
+                {g.patch().Cf()[i], g.patch().nf()()[i]},
+                kOwn[i], kNeighbour[i], label(own[i]), label(neighbour[i]),
                 byPart.boundaryField()[patchi][i]
             );
         }

@@ -22,9 +22,15 @@ Foam::grainFluidHeat::grainFluidHeat
     unresolved_(grains, fluid),
     resolved_(grains, exchange.resolved()),
     received_(0),
-    outside_(0)
+    outside_(0),
+    openConductivity_
+    (
+        IOobject("openConductivity", T.time().timeName(), T.mesh()),
+        fluid.kappa()
+    )
 {
     exchange.findShares();
+    setOpenConductivity();
     if (resolved_.conducts())
     {
         // The cells' temperature is the state
@@ -42,11 +48,15 @@ Foam::grainFluidHeat::grainFluidHeat
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::grainFluidHeat::openConductivity() const
+void Foam::grainFluidHeat::setOpenConductivity()
 {
-    return
+    openConductivity_ ==
         fluid_.kappaEff()
-       *(exchange_.fields().fluidShare + exchange_.resolved().locked());
+       *max
+        (
+            exchange_.fields().fluidShare + exchange_.resolved().locked(),
+            transportFlux::least
+        );
 }
 
 
@@ -57,11 +67,11 @@ Foam::cellHeat Foam::grainFluidHeat::cells
 )
 {
     exchange_.findShares();
+    setOpenConductivity();
 
-    const volScalarField open("openConductivity", openConductivity());
-    cellHeat result(open);
+    cellHeat result(openConductivity_);
     unresolved_.add(exchange_.eps(), U, exchange_.resolved(), result);
-    resolved_.add(T, open, result);
+    resolved_.add(T, openConductivity_, result);
 
     const plateHeat& plates = fluid_.plates();
     if (plates.coefficient() > 0)

@@ -219,7 +219,14 @@ void Foam::transportFlux::set
         fvScalarMatrix& XEqn = tXEqn.ref();
         XEqn.source() += missing;
         XEqn.setReference(fixed, 0);
-        XEqn.solve(solverControls(i == 0 ? 1e-10 : 1e-6));
+        // The largest residual of a cell is much above the mean that solvers see
+        XEqn.solve
+        (
+            solverControls
+            (
+                min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
+            )
+        );
         F_ -= XEqn.flux();
         if (i == 0)
         {

@@ -25,22 +25,23 @@ def with_heat(
     law="type RanzMarshall; shape sphere;",
     fluid=f"Cp {CP}; kappa {KAPPA};",
     heat="conductance none;",
-    material=f"heatCapacity {GRAIN_CP};",
+    ofGlass=f"heatCapacity {GRAIN_CP};",
     convection="upwind",
     empty="frontAndBack { type empty; }",
 ):
-    """Add temperatures [K], a number or one per cell, and laws; to be called after the mesh is made."""
+    """Add temperatures [K], a number or one per cell, and laws, after the mesh is made."""
     write_T(case, T, f"{patches} {empty}")
     file = case.path / "constant/transportProperties"
     file.write_text(f"{file.read_text()}\n{fluid}\n")
-    replace(case, GRAINS, "density 2500;", f"density 2500; {material}")
+    replace(case, GRAINS, "density 2500;", f"density 2500; {ofGlass}")
+    material = "    material    glass;"
+    replace(case, GRAINS, f'csv";\n{material}', f'csv";\n{material} temperature {grains};')
+    coupling = "\ncoupling\n{"
     replace(
-        case, GRAINS, 'csv";\n    material    glass;', f'csv";\n    material glass; temperature {grains};'
+        case, GRAINS, coupling, f"\nheat {{ {heat} }}{coupling}\n    heatTransfer {{ {law} }}"
     )
-    replace(case, GRAINS, "\ncoupling\n{", f"\nheat {{ {heat} }}\ncoupling\n{{\n    heatTransfer {{ {law} }}")
-    replace(
-        case, "system/fvSchemes", "    div(tau)", f"    div(phiFluid,T) Gauss {convection};\n    div(tau)"
-    )
+    scheme = f"    div(phiFluid,T) Gauss {convection};\n"
+    replace(case, "system/fvSchemes", "    div(tau)", f"{scheme}    div(tau)")
     replace(case, "system/fvSolution", "    U\n", f"    T {SOLVER}\n    U\n")
     return case
 
@@ -80,7 +81,8 @@ def stream(case, speed):
     U.write_text(
         text[: text.index("internalField")]
         + f"internalField uniform ({speed} 0 0);\nboundaryField {{ {empty}"
-        + f" left {{ type fixedValue; value uniform ({speed} 0 0); }} right {{ type zeroGradient; }}"
+        + f" left {{ type fixedValue; value uniform ({speed} 0 0); }}"
+        + " right { type zeroGradient; }"
         + ' "bottom|top|back|front" { type slip; } }\n'
     )
     p = case.path / "0/p_rgh"
@@ -101,4 +103,5 @@ def stream(case, speed):
 def make_patch(case, file, patch):
     """A wall becomes a patch."""
     case.dict_set(file, f"entry0/{patch}/type", "patch")
-    case.run(["foamDictionary", file, "-entry", f"entry0/{patch}/inGroups", "-remove"], check=False)
+    groups = ["-entry", f"entry0/{patch}/inGroups", "-remove"]
+    case.run(["foamDictionary", file, *groups], check=False)

@@ -167,7 +167,7 @@ void Foam::NewtonWallFvPatchScalarField::updateCoeffs()
     }
     const scalarField r(ratio());
     refValue() = Ta_;
-    valueFraction() = 
+    valueFraction() =
         ofCell_ ? scalarField(min(r, scalar(1))) : scalarField(r/(1 + r));
     mixedFvPatchScalarField::updateCoeffs();
 }

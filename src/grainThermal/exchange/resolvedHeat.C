@@ -96,11 +96,8 @@ Foam::scalar Foam::resolvedHeat::conductivity
 {
     if (own == neighbour)
     {
-        return
-            conducts_
-          ? grains_.temperatures().conductivity(own)
-          : capacity(own)*sqr(grains_.fluidDiameter(own))
-           /grains_.mesh().time().deltaTValue();
+        // Differences within a grain are then a millionth of those around it
+        return conducts_ ? grains_.temperatures().conductivity(own) : 1e6*k;
     }
     if (own >= 0 && neighbour >= 0)
     {

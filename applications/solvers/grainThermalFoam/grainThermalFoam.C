@@ -34,6 +34,7 @@ Description
 #include "sigFpe.H"
 #include "thermalFluid.H"
 #include "vansFlow.H"
+#include "vapour.H"
 
 int main(int argc, char *argv[])
 {
@@ -72,11 +73,13 @@ int main(int argc, char *argv[])
             flow.beforeMeshChange();
             carried.beforeMeshChange();
             heat.beforeMeshChange(carried.flux());
+            steam.beforeMeshChange(carried.flux());
             if (mesh.update())
             {
                 exchange.meshChanged();
                 flow.meshChanged();
                 heat.meshChanged(carried.flux());
+                steam.meshChanged(carried.flux());
                 carried.meshChanged();
                 ledger.meshChanged();
             }
@@ -93,11 +96,13 @@ int main(int argc, char *argv[])
             flow.correct(piso);
         }
 
+        steam.tell(grains);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.phiU);
 
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);
+        steam.carry(carried.flux());
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());

@@ -56,7 +56,7 @@ Foam::thermalFluid::thermalFluid
 :
     singleFluid
     (
-        U, phiU, {"Cp", "kappa", "mu", "beta", "TRef", "Prt"},
+        U, phiU, {"Cp", "kappa", "mu", "beta", "TRef", "Prt", "vapour"},
         plateHeat::keywords()
     ),
     T_(T),

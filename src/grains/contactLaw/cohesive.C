@@ -20,7 +20,7 @@ namespace contactLaws
 
 Foam::contactLaws::cohesive::cohesive(const dictionary& dict)
 :
-    Coulomb(dict, wordList({"cohesion", "tension", "cohesionDelay"}))
+    Coulomb(dict, wordList({"cohesion", "tension", "cohesionDelay", "psi0"}))
 {
     parameters_.cohesion =
         dictionaryInput::getScalarOrDefault(dict, "cohesion", dimForce, 0, 0);
@@ -34,4 +34,9 @@ Foam::contactLaws::cohesive::cohesive(const dictionary& dict)
         (
             dict, "cohesionDelay", dimTime, 0, 0
         );
+    if (dict.found("psi0"))
+    {
+        parameters_.cohesionBelow =
+            dictionaryInput::getScalar(dict, "psi0", dimless, 0, 1);
+    }
 }

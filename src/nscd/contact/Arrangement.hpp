@@ -46,7 +46,19 @@ public:
         {
             ofCluster_.push_back(grains.shape[members.grain(order[k])] >= 0);
         }
+        ambient_.clear();
         move(grains.position, grains.orientation, members, candidates);
+    }
+
+    /// Take over ambient values, one per grain.
+    void surround(const std::vector<double>& ambient, const Members<D>& members, const Candidates<D>& candidates)
+    {
+        const std::vector<int>& order = candidates.memberOrder();
+        ambient_.resize(ambient.empty() ? 0 : order.size());
+        for (std::size_t k = 0; k < ambient_.size(); ++k)
+        {
+            ambient_[k] = ambient[members.grain(order[k])];
+        }
     }
 
     /// Take over positions.
@@ -161,6 +173,17 @@ public:
         return pair.second < 0 ? r : r * radius_[pair.second] / (r + radius_[pair.second]);
     }
 
+    /// What surrounds a contact, in a unit that its law knows: the mean of what surrounds its grains; 0 for nothing.
+    double ambient(const Pair& pair) const
+    {
+        if (ambient_.empty())
+        {
+            return 0;
+        }
+        const double first = ambient_[pair.first];
+        return pair.second < 0 ? first : 0.5 * (first + ambient_[pair.second]);
+    }
+
     const ContactParameters& parameters(const Pair& pair) const
     {
         return table_(material_[pair.first], pair.second < 0 ? wallMaterial_[~pair.second] : material_[pair.second]);
@@ -190,6 +213,7 @@ private:
     std::vector<int> wallMaterial_, wallBody_;
     Vectors<D> position_, arm_;
     std::vector<double> radius_;
+    std::vector<double> ambient_;   ///< empty for nothing
     std::vector<int> material_;
     std::vector<char> ofCluster_;   ///< of each member; empty without clusters
 };

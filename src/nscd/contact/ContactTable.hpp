@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,9 @@ struct ContactParameters
 
     /// Time that a contact must have lasted before it attracts >= 0 [s].
     double cohesionDelay = 0;
+
+    /// It attracts only where the ambient value, see Arrangement::ambient, is below.
+    double cohesionBelow = std::numeric_limits<double>::infinity();
 };
 
 /// Symmetric table of contact parameters for n materials.

@@ -26,6 +26,7 @@ void ContactDynamics<D>::Implementation::add(const Grains<D>& more)
     contactImpulse_.resize(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.resize(grains_.size(), Spin<D>::Zero());
 
+    ambient_.clear();
     measureGrains();
     problem_.clear();
     impacts_.clear();

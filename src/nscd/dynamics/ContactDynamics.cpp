@@ -102,6 +102,12 @@ double ContactDynamics<D>::worstOverlap() const
 }
 
 template <int D>
+void ContactDynamics<D>::setAmbient(std::vector<double> ambient)
+{
+    implementation_->setAmbient(std::move(ambient));
+}
+
+template <int D>
 void ContactDynamics<D>::setTemperature(std::vector<double> temperature)
 {
     implementation_->setTemperature(std::move(temperature));

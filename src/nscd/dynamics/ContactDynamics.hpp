@@ -114,6 +114,10 @@ public:
     /// Temperatures are not used by the dynamics: they are kept, and saved, with the grains [K].
     void setTemperature(std::vector<double> temperature);
 
+    /// What surrounds each grain, for contact laws that ask for it (ContactParameters::cohesionBelow), until grains
+    /// come or go; not saved.  Throws std::invalid_argument if the number is wrong.
+    void setAmbient(std::vector<double> ambient);
+
     /// Take the marked grains away; the others keep their order, their contacts and the impulses.  Collective.
     /// Throws std::invalid_argument unless there is one mark per grain.
     void remove(const std::vector<bool>& gone);

@@ -149,6 +149,18 @@ void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temp
     grains_.temperature = std::move(temperature);
 }
 
+template <int D>
+void ContactDynamics<D>::Implementation::setAmbient(std::vector<double> ambient)
+{
+    if (ambient.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " + std::to_string(ambient.size()) +
+                                    " ambient values");
+    }
+    ambient_ = std::move(ambient);
+    arrangement_.surround(ambient_, members_, candidates_);
+}
+
 template class ContactDynamics<2>::Implementation;
 template class ContactDynamics<3>::Implementation;
 

@@ -35,6 +35,8 @@ public:
     void dumpContactProblem(const std::string& file) const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
+
+    void setAmbient(std::vector<double> ambient);
     void remove(const std::vector<bool>& gone);
     void add(const Grains<D>& more);
     void save(const std::string& file, double time) const;
@@ -132,6 +134,7 @@ private:
     void measureOverlaps(StepReport& report);
 
     Grains<D> grains_;
+    std::vector<double> ambient_;   ///< of each grain; empty for nothing
     Walls<D> walls_;
     ContactTable table_;
     Settings settings_;

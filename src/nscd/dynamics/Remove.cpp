@@ -98,6 +98,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(contactImpulse_, gone);
     drop(contactSpinImpulse_, gone);
 
+    ambient_.clear();
     measureGrains();
     problem_.clear();
     impacts_.clear();

@@ -161,6 +161,7 @@ void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& pos
     schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
     impulses_ = matchImpulses(candidates_, impulses);
     arrangement_.arrange(grains_, members_, candidates_);
+    arrangement_.surround(ambient_, members_, candidates_);
     unevenness_ = unevenness();
 }
 

@@ -207,6 +207,10 @@ void validate(const ContactTable& table)
             check(p.cohesion, any, "cohesion", ">= 0");
             check(p.tension, any, "tension", ">= 0");
             check(p.cohesionDelay, any, "cohesionDelay", ">= 0");
+            if (std::isnan(p.cohesionBelow))
+            {
+                check(p.cohesionBelow, any, "cohesionBelow", "a number");
+            }
         }
     }
 }

@@ -276,7 +276,8 @@ double ContactProblem<D>::attraction(std::size_t p, double gap, const Impulse<D>
 {
     const Pair& pair = candidates_.pairs()[p];
     const ContactParameters& parameters = arrangement_.parameters(pair);
-    if (!loaded_[p] || impulse.age < parameters.cohesionDelay || gap > slack * arrangement_.radius(pair))
+    if (!loaded_[p] || impulse.age < parameters.cohesionDelay || gap > slack * arrangement_.radius(pair) ||
+        arrangement_.ambient(pair) >= parameters.cohesionBelow)
     {
         return 0;
     }

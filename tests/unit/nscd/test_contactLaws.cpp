@@ -160,6 +160,22 @@ TYPED_TEST(ContactLaw, CohesionActsAfterItsDelayOnly)
     }
 }
 
+TYPED_TEST(ContactLaw, CohesionActsWhereItsAmbientValueIsSmall)
+{
+    constexpr int D = TestFixture::dimension;
+    nscd::ContactParameters law;
+    law.cohesion = 5;
+    law.cohesionBelow = 0.9;
+    for (const double other : {0.79, 0.81})   // a mean of 0.895 and of 0.905
+    {
+        auto dynamics = pair<D>(law).dynamics();
+        pull<D>(dynamics, up<D>(-1));
+        dynamics.setAmbient({1, other});
+        pull<D>(dynamics, up<D>(4));
+        EXPECT_EQ(dynamics.grains().velocity[1][D - 1] > 1e-9, other > 0.8);
+    }
+}
+
 TYPED_TEST(ContactLaw, CohesionAddsToTheForceThatFrictionScalesWith)
 {
     constexpr int D = TestFixture::dimension;

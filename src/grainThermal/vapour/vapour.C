@@ -1,0 +1,75 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vapour.H"
+
+#include "dictionaryInput.H"
+#include "meanOverGrains.H"
+
+Foam::vapour::vapour
+(
+    const fvMesh& mesh,
+    const dictionary& transportProperties
+)
+:
+    D_("D", dimViscosity, 0)
+{
+    if (!transportProperties.found("vapour"))
+    {
+        return;
+    }
+    const dictionary& dict =
+        dictionaryInput::subDict(transportProperties, "vapour");
+    dictionaryInput::checkKeywords(dict, {"D"});
+    D_.value() = dictionaryInput::getScalar(dict, "D", dimViscosity, 0);
+
+    psi_.reset(new fluidScalar(mesh, "psi"));
+    const volScalarField& psi = psi_->field();
+    dictionaryInput::checkDimensions(psi, psi.dimensions(), dimless);
+    if (min(psi).value() < 0 || max(psi).value() > 1)
+    {
+        FatalErrorInFunction
+            << "The field psi of time " << mesh.time().timeName()
+            << " has values from " << min(psi).value() << " to "
+            << max(psi).value() << nl << "    allowed: 0 to 1"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::vapour::beforeMeshChange(const transportFlux& flux)
+{
+    if (isActive())
+    {
+        psi_->beforeMeshChange(flux);
+    }
+}
+
+
+void Foam::vapour::meshChanged(const transportFlux& flux)
+{
+    if (isActive())
+    {
+        psi_->meshChanged(flux);
+    }
+}
+
+
+void Foam::vapour::tell(grainSystem& grains) const
+{
+    if (isActive())
+    {
+        grains.setAmbient(meanOverGrains(grains, psi_->field()));
+    }
+}
+
+
+void Foam::vapour::carry(const transportFlux& flux)
+{
+    if (isActive())
+    {
+        psi_->carry(flux, D_);
+    }
+}

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Vapour in the fluid, and cohesion where there is little of it."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, lattice, replace
+from heat_box import GRAINS, SOLVER, with_heat
+
+RADIUS = 0.004
+
+
+def with_vapour(case, value, law=""):
+    """psi of a value, or one per cell; and a law between grain and wall."""
+    with_heat(case, fluid="Cp 1000; kappa 0.6; vapour { D 1e-5; }")
+    value = np.atleast_1d(np.asarray(value, dtype=float))
+    inside = f"uniform {float(value[0])!r}"
+    if len(value) > 1:
+        inside = f"nonuniform List<scalar> {len(value)}({' '.join(map(repr, value.tolist()))})"
+    (case.path / "0/psi").write_text(
+        "FoamFile { version 2.0; format ascii; class volScalarField; object psi; }\n"
+        f"dimensions [0 0 0 0 0 0 0];\ninternalField {inside};\n"
+        'boundaryField { "left|right|bottom|top" { type zeroGradient; }'
+        " frontAndBack { type empty; } }\n"
+    )
+    if law:
+        replace(case, GRAINS, "type        Coulomb;\n        friction    0.2;", law)
+    replace(case, "system/fvSolution", "    T {", f"    psi {SOLVER}\n    T {{")
+    scheme = "    div(phiFluid,psi) Gauss upwind;\n"
+    replace(case, "system/fvSchemes", "    div(tau)", f"{scheme}    div(tau)")
+
+
+@pytest.mark.parametrize(("psi", "holds"), [(0.85, True), (0.95, False)])
+def test_cohesion_where_there_is_little_vapour(clone, psi, holds):
+    """A grain that lay on the floor is pulled off by gravity that turns, or not."""
+    case = grain_box(clone, [(0.05, RADIUS)], RADIUS)
+    with_vapour(case, psi, "type cohesive; friction 0.2; cohesion 1; psi0 0.9;")
+    control(case, deltaT=1e-3, endTime=0.02, writeInterval=20)
+    case.run("grainThermalFoam")
+    replace(case, "constant/g", "-9.81", "9.81")
+    control(case, endTime=0.1)
+    case.run("grainThermalFoam")
+    height = case.grains()["position"][0, 1]
+    assert (height < 1.01 * RADIUS) == holds
+
+
+def test_vapour_stays_between_none_and_all(clone):
+    """Around grains that settle; what the fluid has of it is kept."""
+    case = grain_box(clone, lattice(6, 5, 0.012, (0.02, 0.03)), RADIUS)
+    with_vapour(case, np.random.default_rng(3).integers(0, 2, 100))
+    control(case, deltaT=2e-3, endTime=0.2, writeInterval=10)
+    case.run("grainThermalFoam")
+    least = 1e-9
+    amounts = []
+    for time in case.times:
+        psi = case.field("psi", time)
+        assert psi.min() >= -1e-12
+        assert psi.max() <= 1 + 1e-12
+        amounts.append(np.sum((case.field("eps", time) + least) * psi) if time != "0" else None)
+    np.testing.assert_allclose(amounts[1:], amounts[1], rtol=1e-9)

@@ -23,10 +23,19 @@ DRAG = {  # over Stokes' drag
 
 
 def settling_box(
-    clone, Re, cell, width, law="SchillerNaumann", fall=None, start=(0.13, 0.31), name=None,
-    coupling="", density=2 * DENSITY, relax=None
+    clone,
+    Re,
+    cell,
+    width,
+    law="SchillerNaumann",
+    start=(0.125, 0.375),
+    fall=None,
+    coupling="",
+    density=2 * DENSITY,
+    name=None,
 ):
-    """The sphere of the tutorial singleGrain, from `start` cells beside the middle of the box."""
+    """The sphere of the tutorial singleGrain, `start` cells beside a corner of cells in the middle
+    of the box."""
     case = clone("tutorials/grainFoam/singleGrain", name or f"Re{Re}_cell{cell}")
     for source in ("constant", "system", "0.orig"):
         target = case.path / source.replace(".orig", "")

@@ -199,7 +199,7 @@ Foam::scalar Foam::undisturbedFlow::coefficient
        *selfInduced::slipFactor
         (
             grain, flow.volume, around,
-            selfInduced::inFilteredFlow(Lambda, width_), 0.17, filteredSlip
+            selfInduced::inFilteredFlow(Lambda, width_), 0.15, filteredSlip
         );
 
     scalar drag = undisturbedSlip*grain.gamma(around.eps, undisturbedSlip);

@@ -193,7 +193,7 @@ Foam::scalar Foam::undisturbedFlow::coefficient
     const scalar least = 1e-8*grain.mu/(grain.rho*grain.d);
     const scalar slip = mag(w) + least;
 
-    const scalar filteredSlip = mag(flow.filteredU - v) + least;
+    const scalar filteredSlip = mag(flow.filteredU - v);
     const scalar undisturbedSlip =
         filteredSlip
        *selfInduced::slipFactor
@@ -202,7 +202,8 @@ Foam::scalar Foam::undisturbedFlow::coefficient
             selfInduced::inFilteredFlow(Lambda, width_), 0.15, filteredSlip
         );
 
-    scalar drag = undisturbedSlip*grain.gamma(around.eps, undisturbedSlip);
+    scalar drag =
+        (undisturbedSlip + least)*grain.gamma(around.eps, undisturbedSlip);
     if (gradientOnGrains_)
     {
         drag = max(drag - (flow.excessGradP & w)/slip, 0.05*drag);

@@ -16,6 +16,10 @@ import numpy as np
 from grain_box import replace
 
 D, SPEED, DENSITY = 1e-3, 0.01, 1000  # diameter [m], law's speed [m/s], of the fluid [kg/m3]
+
+# Of a cell, with the times that they count: the middles of 4 x 4 squares, by symmetry
+PLACES = {(1 / 8, 1 / 8): 1, (1 / 8, 3 / 8): 2, (3 / 8, 3 / 8): 1}
+
 DRAG = {  # over Stokes' drag
     "SchillerNaumann": lambda Re: 1 + 0.15 * Re**0.687,
     "DallavalleDiFelice": lambda Re: (0.63 * Re**0.5 + 4.8) ** 2 / 24,
@@ -58,8 +62,8 @@ def settling_box(
     fall = fall or last_fall(cell) + 1.5 + min(Re, 10)
     n = round(width / cell)
     height = -int(-(fall + max(width, 8)) // cell)
-    # A third of a cell, and no more than a viscosity of Euler's scheme of half the fluid's
-    step = min(cell / 6, 1 / Re)
+    # A sixth of a cell, and no more than a viscosity of Euler's scheme as large as the fluid's
+    step = min(cell / 6, 2 / Re)
     steps = -int(-fall // step)
     (case.path / "parameters").write_text(
         f"""lateral ((1 {n} 1));
@@ -94,6 +98,16 @@ def settling_speed(case, cell):
     y, t = track["y"] / D, track["time"] * SPEED / D
     before = y[-1] + last_fall(cell)
     return last_fall(cell) / (t[-1] - np.interp(-before, -y, t))
+
+
+def speeds_of_places(clone, Re, cell, width, law):
+    """Settling speeds by the ways through the cells, PLACES."""
+    speeds = []
+    for i, start in enumerate(PLACES):
+        case = settling_box(clone, Re, cell, width, law, start, name=f"{Re}_{cell}_{i}")
+        case.run("grainFoam")
+        speeds.append(settling_speed(case, cell))
+    return np.array(speeds)
 
 
 def speed_in_box(Re, width, drag, n=200):

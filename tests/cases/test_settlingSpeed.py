@@ -5,23 +5,16 @@ and in cells of every size, once what the sides of the box do to it is taken awa
 
 import numpy as np
 import pytest
-from settling_box import DRAG, settling_box, settling_speed, speed_in_box
+from settling_box import DRAG, PLACES, settling_box, speed_in_box, speeds_of_places
 
 LAW = "SchillerNaumann"
-
-# Of a cell, with the times that they count, by symmetry: the middles of 4 x 4 squares
-PLACES = {(1 / 8, 1 / 8): 1, (1 / 8, 3 / 8): 2, (3 / 8, 3 / 8): 1}
 
 
 @pytest.mark.parametrize("Re", [0.1, 1, 10])
 @pytest.mark.parametrize("cell, width", [(4, 32), (2, 12), (1, 12), (0.7, 8.4)])
 def test_a_sphere_settles_at_the_law_speed_in_its_box(clone, Re, cell, width):
     """Without the velocity that it gives its own cells it would be 4 (Re 10) to 42 % too fast."""
-    speeds = []
-    for i, start in enumerate(PLACES):
-        case = settling_box(clone, Re, cell, width, start=start, name=str(i))
-        case.run("grainFoam")
-        speeds.append(settling_speed(case, cell))
+    speeds = speeds_of_places(clone, Re, cell, width, LAW)
     mean = np.average(speeds, weights=list(PLACES.values()))
 
     # At Re -> 0 and h/d = 0.7 the fluid of the cells goes as fast as the law's sphere where the
@@ -41,8 +34,8 @@ def test_a_law_of_lone_spheres_holds_the_fluid_that_it_covers(clone):
     it in the cells that the sphere covers."""
     case = settling_box(clone, 300, 0.252, 4, fall=0.1, coupling="resolvedGrains { type none; }")
     case.run("grainFoam")
-    # No fluid is faster than the sphere, which takes steps of 1/300 of a diameter; the number adds
-    # up what flows past all faces of a cell.  Without the limit of eq. 4.32 it is 3.3 times as large
+    # No fluid is faster than the sphere, which takes steps of 1/150 of a diameter; the number sums
+    # up what flows through all faces of a cell
     courant = case.logged(" max ")
-    assert len(courant) == 30
-    assert courant.max() <= 1.5 / 300 / 0.252
+    assert len(courant) == 15
+    assert courant.max() <= 1.5 / 150 / 0.252

@@ -35,7 +35,6 @@ def settling_box(
     start=(0.125, 0.375),
     fall=None,
     coupling="",
-    density=2 * DENSITY,
     name=None,
 ):
     """The sphere of the tutorial singleGrain, `start` cells beside a corner of cells in the middle
@@ -46,12 +45,12 @@ def settling_box(
         shutil.copytree(case.path / "sphere" / source, target, dirs_exist_ok=True)
 
     nu = SPEED * D / Re
-    weight = 18 * DRAG[law](Re) * nu * SPEED / D**2 / (density / DENSITY - 1)
+    weight = 18 * DRAG[law](Re) * nu * SPEED / D**2
     for file, old, new in (
         ("constant/transportProperties", "996.78", DENSITY),
         ("constant/transportProperties", "8.379e-7", nu),
         ("constant/g", "-9.81", -weight),
-        ("constant/grainProperties", "density 1029", f"density {density}"),
+        ("constant/grainProperties", "density 1029", f"density {2 * DENSITY}"),
         ("constant/grainProperties", "DallavalleDiFelice", law),
         ("constant/grainProperties", "coupling\n{", f"coupling\n{{\n    {coupling}"),
     ):
@@ -114,10 +113,10 @@ def speed_in_box(Re, width, drag, n=200):
     """Of a sphere that settles at the middle of a box with frictionless sides, which is that of a
     square lattice of spheres: each falls in the flow of the others, Oseen's at a distance r,
 
-        u = 3/4 drag (exp(-Re r/2)/r)
+        u = 3/8 drag exp(-Re r/2)/r
 
-    in the plane of the lattice, less its mean, as there is no flow through the box (Hasimoto, J.
-    Fluid Mech. 5, 317, 1959, doi:10.1017/S0022112059000222, for Re = 0).
+    in the plane of the lattice, less its mean, as there is no flow through the box (doc/theory,
+    eq. 4.31).  `drag` is over that of Stokes.
     """
     i = np.arange(-n, n + 1)
     r = np.hypot(*np.meshgrid(i, i)).ravel()

@@ -23,7 +23,7 @@ RUNS = {
         0.1: (8, 4, 2, 1.4, 1, 0.7, 0.5),
         1: (8, 4, 2, 1.4, 1, 0.7, 0.5),
         10: (8, 4, 2, 1.4, 1, 0.7, 0.5),
-        95: (8, 4, 2, 1.4, 1, 0.7),
+        95: (8, 4, 2, 1.4, 1),
     },
     "DallavalleDiFelice": {0.1: (4, 2, 1, 0.7), 10: (4, 2, 1, 0.7)},
 }
@@ -41,7 +41,9 @@ def tolerance(Re, cell):
     """Where the cell's own fluid goes as fast as the law's sphere no drag coefficient is right."""
     if cell < 0.7:
         return ""
-    return "5 %" if Re >= 1 or cell >= 1 else "15 %"
+    if cell < 1:
+        return "10 %" if Re >= 1 else "15 %"
+    return "5 %"
 
 
 def main():

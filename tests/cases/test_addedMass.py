@@ -90,7 +90,8 @@ def in_shear(clone, law, velocity, spin=0.0, rate=2.0, nu=1e-4):
     replace(case, GRAINS, '(".*")', "(bottom top)")
     replace(case, GRAINS, "DallavalleDiFelice;\n        shape   sphere;", "Stokes;")
     replace(case, "constant/g", "-9.81", "0")
-    couple(case, f"lift {{ one {{ type {law}; }} }}")
+    # The drag is known then, and what is left is the lift
+    couple(case, f"undisturbedFlow {{ type none; }} lift {{ one {{ type {law}; }} }}")
     u = rate * centre[1]
     row = (*centre, d / 2, *velocity(u), spin)
     header = "x,y,z,radius,vx,vy,vz,wx"

@@ -37,3 +37,23 @@ Foam::autoPtr<Foam::dragLaw> Foam::dragLaw::New
     );
     return law;
 }
+
+
+Foam::scalar Foam::dragLaw::gammaInCoveredCell
+(
+    const scalar eps,
+    const scalar w,
+    const scalar d,
+    const scalar rho,
+    const scalar mu
+) const
+{
+    // A law that rises by less than ten times is one of lone grains; it gets
+    // Wen and Yu's power.  Others keep their own limit.
+    const scalar lone = gamma(1, w, d, rho, mu);
+    const scalar own = gamma(eps, w, d, rho, mu);
+    return
+        gamma(0.01, w, d, rho, mu) < 10*lone
+      ? max(own, std::pow(eps, -2.65)*lone)
+      : own;
+}

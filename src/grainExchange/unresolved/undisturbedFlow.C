@@ -29,6 +29,7 @@ Foam::undisturbedFlow::undisturbedFlow
     gradientOnGrains_(gradientOnGrains),
     cellSize_(cellSizes(mesh_)),
     cellSizeRange_(gMin(cellSize_), gMax(cellSize_)),
+    exact_(grains.voidFraction().resolves()),
     isActive_(false),
     gradP_
     (
@@ -58,21 +59,13 @@ void Foam::undisturbedFlow::meshChanged()
 }
 
 
-Foam::scalar Foam::undisturbedFlow::weight(const scalar diameterByCellSize)
-{
-    const scalar x = std::log2(diameterByCellSize);
-    return min(max(min(2*(x + 1), (2 - x)/1.5), scalar(0)), scalar(1));
-}
-
-
-bool Foam::undisturbedFlow::matters
+Foam::undisturbedFlow::diameters Foam::undisturbedFlow::ofUnresolved
 (
     const grainSystem& grains,
-    const resolvedTerm& resolved,
-    scalar& meanDiameter
-) const
+    const resolvedTerm& resolved
+)
 {
-    scalar smallest = GREAT, largest = 0, sum = 0;
+    diameters result;
     label number = 0;
     for (label i = 0; i < grains.size(); ++i)
     {
@@ -80,112 +73,56 @@ bool Foam::undisturbedFlow::matters
         {
             const scalar d = grains.fluidDiameter(i);
             ++number;
-            smallest = min(smallest, d);
-            largest = max(largest, d);
-            sum += d;
+            result.largest = max(result.largest, d);
+            result.mean += d;
         }
     }
-    meanDiameter = sum/max(number, 1);
-    return
-        width_ > 0
-     && largest > 0.5*cellSizeRange_.first()
-     && smallest < 4*cellSizeRange_.second();
+    result.mean /= max(number, 1);
+    return result;
 }
 
 
-Foam::undisturbedFlow::neighbourhood Foam::undisturbedFlow::filtered
+Foam::filteredFlow Foam::undisturbedFlow::filtered
 (
     const volScalarField& eps,
     const volVectorField& U,
-    const scalar meanDiameter
+    const diameters& d
 ) const
 {
-    const scalar spread = sqr(width_*meanDiameter)/24;
-    const auto filter = [&](const auto& x)
-    {
-        return implicitDiffusion(mesh_, x, spread, 1, 1e-9);
-    };
     const scalarField& cellEps = eps.primitiveField();
+    const vectorField& cellU = U.primitiveField();
     const vectorField& cellGradP = gradP_.primitiveField();
 
-    neighbourhood result;
-    result.eps = filter(cellEps);
-    result.U =
-        filter(vectorField(cellEps*U.primitiveField()))/max(result.eps, SMALL);
-    result.excessGradP = vectorField(U.size(), Zero);
-    if (gradientOnGrains_)
+    filteredFlow result{cellEps, cellU, vectorField(cellU.size(), Zero)};
+    if (width_ == 0)
     {
-        result.excessGradP = filter(cellGradP) - cellGradP;
+        return result;
     }
-    return result;
-}
 
-
-Foam::List<Foam::undisturbedFlow::flowAround> Foam::undisturbedFlow::around
-(
-    const grainSystem& grains,
-    const volVectorField& U,
-    const neighbourhood& flow
-) const
-{
-    const overlapList& overlaps = grains.overlaps();
-    List<flowAround> result(grains.size());
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    const auto filter = [&](const auto& x, const scalar size)
     {
-        flowAround& sum = result[graini];
-        for (const cellOverlap& o : overlaps.of(graini))
+        return implicitDiffusion(mesh_, x, sqr(width_*size)/24, 1, 1e-9);
+    };
+
+    // A filter narrower than a few cells would not tell a grain from a bed
+    const scalar wide =
+        mesh_.nGeometricD() == 3 ? max(d.mean, gAverage(cellSize_)) : d.mean;
+    result.eps = filter(cellEps, wide);
+
+    if (d.largest > 0.5*cellSizeRange_.first())
+    {
+        const scalarField flowEps
+        (
+            wide > d.mean ? filter(cellEps, d.mean) : result.eps
+        );
+        result.U =
+            filter(vectorField(cellEps*cellU), d.mean)/max(flowEps, SMALL);
+        if (gradientOnGrains_)
         {
-            sum.volume += o.volume;
-            sum.cellSize += o.volume*cellSize_[o.cell];
-            sum.eps += o.volume*flow.eps[o.cell];
-            sum.U += o.volume*U[o.cell];
-            sum.undisturbedU += o.volume*flow.U[o.cell];
-            sum.excessGradP += o.volume*flow.excessGradP[o.cell];
+            result.excessGradP = filter(cellGradP, d.mean) - cellGradP;
         }
     }
-    sumRecordsOverRanks(result);
-
-    for (flowAround& mean : result)
-    {
-        const scalar volume = max(mean.volume, VSMALL);
-        mean.cellSize /= volume;
-        mean.eps /= volume;
-        mean.U /= volume;
-        mean.undisturbedU /= volume;
-        mean.excessGradP /= volume;
-    }
     return result;
-}
-
-
-Foam::scalar Foam::undisturbedFlow::coefficient
-(
-    const flowAround& flow,
-    const vector& v,
-    const scalar d,
-    const dragLaw& law,
-    const scalar rho,
-    const scalar mu
-) const
-{
-    // Of a grain that moves with the fluid, the law's own coefficient remains
-    const vector w(flow.U - v);
-    const scalar least = 1e-8*mu/(rho*d);
-    const scalar slip = mag(w) + least;
-    const scalar undisturbedSlip = mag(flow.undisturbedU - v);
-
-    scalar drag =
-        (undisturbedSlip + least)
-       *law.gamma(flow.eps, undisturbedSlip, d, rho, mu);
-    if (gradientOnGrains_)
-    {
-        drag = max(drag - (flow.excessGradP & w)/slip, 0.05*drag);
-    }
-    else
-    {
-        drag /= flow.eps;
-    }
-    return drag/slip;
 }
 
 
@@ -199,48 +136,33 @@ void Foam::undisturbedFlow::set
     const dragLaw& law
 )
 {
-    scalar meanDiameter;
-    isActive_ = matters(grains, resolved, meanDiameter);
+    // Smaller grains have moved their cell's fluid by less than 0.6 per cent
+    // of their speed.  In the plane they keep the cell's flow, and so does
+    // every grain of type none, but those that cover cells.
+    const scalar smallest =
+        width_ == 0 ? 1 : mesh_.nGeometricD() == 3 ? 0.005 : 0.5;
+
+    const diameters d(ofUnresolved(grains, resolved));
+    isActive_ = d.largest > smallest*cellSizeRange_.first();
     if (!isActive_)
     {
         return;
     }
     const List<flowAround> flows
     (
-        around(grains, U, filtered(eps, U, meanDiameter))
+        flowAroundGrains(grains, cellSize_, eps, U, filtered(eps, U, d))
     );
     const scalarField rho(meanOverGrains(grains, fluid.rho()));
     const scalarField mu(meanOverGrains(grains, fluid.mu()));
 
-    share_.resize(grains.size());
-    coefficient_.resize(grains.size());
-    forAll(share_, graini)
+    corrections_.resize(grains.size());
+    forAll(corrections_, i)
     {
-        const flowAround& flow = flows[graini];
-        const scalar d = grains.fluidDiameter(graini);
-
-        share_[graini] = weight(d/max(flow.cellSize, VSMALL));
-        if (share_[graini] > 0)
-        {
-            coefficient_[graini] = coefficient
-            (
-                flow, grains.motion().velocity(graini), d, law,
-                rho[graini], mu[graini]
-            );
-        }
+        corrections_[i] = correctionOf
+        (
+            flows[i],
+            grains.motion().velocity(i),
+            {law, grains.fluidDiameter(i), rho[i], mu[i]}
+        );
     }
-}
-
-
-Foam::scalar Foam::undisturbedFlow::corrected
-(
-    const scalar gamma,
-    const label graini
-) const
-{
-    const scalar share = isActive_ ? share_[graini] : 0;
-    return
-        share <= 0
-      ? gamma
-      : std::pow(coefficient_[graini], share)*std::pow(gamma, 1 - share);
 }

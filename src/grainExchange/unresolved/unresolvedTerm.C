@@ -54,19 +54,17 @@ Foam::scalar Foam::unresolvedTerm::gamma
     const vector& slip
 ) const
 {
-    scalar result = drag_->gamma
-    (
-        eps,
-        mag(slip),
+    const selfInduced::drag grain
+    {
+        *drag_,
         grains_.fluidDiameter(graini),
         fluid_.rho()[o.cell],
         fluid_.mu()[o.cell]
-    );
-    if (!gradientOnGrains_)
-    {
-        result /= eps;
-    }
-    return undisturbed_.corrected(result, graini) + dragOfAddedMass(o.cell);
+    };
+    const scalar share = o.volume/grains_.mesh().V()[o.cell];
+    return
+        undisturbed_.gamma(graini, grain, share, eps, mag(slip))
+      + dragOfAddedMass(o.cell);
 }
 
 

@@ -38,10 +38,8 @@ Foam::undisturbedFlow::correction Foam::undisturbedFlow::correctionOf
         (
             flow.eps, flow.filteredEps, flow.ownShare, x
         );
-        Lambda = selfInduced::inCells
-        (
-            grain.d/std::cbrt(flow.volume/flow.ownShare)
-        );
+        result.length = std::cbrt(flow.volume/flow.ownShare);
+        Lambda = selfInduced::inCells(grain.d/result.length);
         result.lone = around.lone;
         result.slipFactor = selfInduced::slipFactor
         (
@@ -52,7 +50,17 @@ Foam::undisturbedFlow::correction Foam::undisturbedFlow::correctionOf
     result.share = weight(x);
     if (result.share > 0)
     {
-        result.coefficient = coefficient(flow, v, grain, around, Lambda);
+        const scalar filteredSlip = mag(flow.filteredU - v);
+        result.eps = around.eps;
+        result.slip =
+            filteredSlip
+           *selfInduced::slipFactor
+            (
+                grain, flow.volume, around,
+                selfInduced::inFilteredFlow(Lambda, width_), 0.15, filteredSlip
+            );
+        result.coefficient =
+            coefficient(flow, v, grain, result.eps, result.slip);
     }
     return result;
 }
@@ -63,8 +71,8 @@ Foam::scalar Foam::undisturbedFlow::coefficient
     const flowAround& flow,
     const vector& v,
     const selfInduced::drag& grain,
-    const selfInduced::neighbours& around,
-    const scalar Lambda
+    const scalar eps,
+    const scalar undisturbedSlip
 ) const
 {
     // Of a grain that moves with the fluid, the law's own coefficient remains
@@ -72,24 +80,14 @@ Foam::scalar Foam::undisturbedFlow::coefficient
     const scalar least = 1e-8*grain.mu/(grain.rho*grain.d);
     const scalar slip = mag(w) + least;
 
-    const scalar filteredSlip = mag(flow.filteredU - v);
-    const scalar undisturbedSlip =
-        filteredSlip
-       *selfInduced::slipFactor
-        (
-            grain, flow.volume, around,
-            selfInduced::inFilteredFlow(Lambda, width_), 0.15, filteredSlip
-        );
-
-    scalar drag =
-        (undisturbedSlip + least)*grain.gamma(around.eps, undisturbedSlip);
+    scalar drag = (undisturbedSlip + least)*grain.gamma(eps, undisturbedSlip);
     if (gradientOnGrains_)
     {
         drag = max(drag - (flow.excessGradP & w)/slip, 0.05*drag);
     }
     else
     {
-        drag /= around.eps;
+        drag /= eps;
     }
     return drag/slip;
 }

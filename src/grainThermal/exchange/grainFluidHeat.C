@@ -70,7 +70,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     setOpenConductivity();
 
     cellHeat result(openConductivity_);
-    unresolved_.add(exchange_.eps(), U, exchange_.resolved(), result);
+    unresolved_.add(exchange_, U, result);
     resolved_.add(T, openConductivity_, result);
 
     const plateHeat& plates = fluid_.plates();

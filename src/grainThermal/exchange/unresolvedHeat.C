@@ -46,10 +46,17 @@ Foam::scalar Foam::unresolvedHeat::h
 (
     const label graini,
     const cellOverlap& o,
-    const scalar eps,
-    const scalar slip
+    const scalar cellEps,
+    const scalar cellSlip,
+    const undisturbedFlow::correction& own
 ) const
 {
+    const scalar share = o.volume/grains_.mesh().V()[o.cell];
+    const scalar eps =
+        own.share*own.eps
+      + (1 - own.share)*min(cellEps + own.lone*share, scalar(1));
+    const scalar slip =
+        own.share*own.slip + (1 - own.share)*own.slipFactor*cellSlip;
     const scalar d = grains_.fluidDiameter(graini);
     const scalar mu = fluid_.mu()[o.cell];
     const scalar k = fluid_.kappa()[o.cell];
@@ -57,7 +64,10 @@ Foam::scalar Foam::unresolvedHeat::h
     const scalar Re = rho*slip*d/mu;
     const scalar Pr = mu*fluid_.capacity()/(rho*k);
 
-    return law_->perVolume(law_->Nu(eps, Re, Pr), k, d);
+    const scalar Nu = law_->Nu(eps, Re, Pr);
+    return
+        law_->perVolume(Nu, k, d)
+       *selfInduced::heatFactor(Nu, Re*Pr, own.lone, d, own.length);
 }
 
 
@@ -105,12 +115,13 @@ void Foam::unresolvedHeat::warn
 
 void Foam::unresolvedHeat::add
 (
-    const volScalarField& eps,
+    const grainFluidExchange& exchange,
     const volVectorField& U,
-    const resolvedTerm& resolved,
     cellHeat& cells
 )
 {
+    const volScalarField& eps = exchange.eps();
+    const resolvedTerm& resolved = exchange.resolved();
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = grains_.mesh().time().deltaTValue();
     const scalarField& V = grains_.mesh().V();
@@ -128,6 +139,10 @@ void Foam::unresolvedHeat::add
         const grainMotion::twist motion(grains_.motion().motion(graini));
         const scalar T = grains_.temperatures().temperature(graini);
         const scalar C = capacity(graini);
+        const undisturbedFlow::correction own
+        (
+            exchange.unresolved().undisturbed().of(graini)
+        );
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
@@ -139,7 +154,8 @@ void Foam::unresolvedHeat::add
                         graini,
                         o,
                         max(eps[o.cell], exchangeFields::epsMin),
-                        mag(U[o.cell] - motion.at(o.arm))
+                        mag(U[o.cell] - motion.at(o.arm)),
+                        own
                     ),
                     deltaT, C, T
                 );

@@ -11,7 +11,8 @@ Group
 Description
     What checkMesh is to a mesh: number and sizes of grains, overlaps, packing
     fraction, grains outside the mesh, cell size over diameter, and the time
-    step that is recommended, with the reason.
+    step that is recommended, with the reason.  Of grains with heat in a fluid
+    with heat, their Biot numbers.
 
     The grains are those of grains.h5 in the start time if there is one, else
     the initial grains of constant/grainProperties.  They are in a fluid if
@@ -23,13 +24,16 @@ Description
 #include "fvCFD.H"
 
 #include "dictionaryInput.H"
+#include "BiotNumbers.H"
 #include "dragLaw.H"
 #include "fluidInput.H"
+#include "functionOfTemperature.H"
 #include "grainChecks.H"
 #include "grainState.H"
 #include "packingReport.H"
 #include "passablePatches.H"
 #include "recommendedTimeStep.H"
+#include "thermalFluid.H"
 
 // The state at the start time or the initial grains
 template<int D>
@@ -72,10 +76,17 @@ void printTimeStepInFluid
     );
     const scalar rho =
         dictionaryInput::getPositive(transport, "rho", dimDensity);
-    const scalar nu =
-        dictionaryInput::getPositive(transport, "nu", dimViscosity);
+    const scalar T = meanTemperature(grains);
+    const scalar mu =
+        transport.found("mu")
+      ? functionOfTemperature(transport, "mu", dimDynamicViscosity).at(T)
+      : rho*dictionaryInput::getPositive(transport, "nu", dimViscosity);
 
-    printTimeStep(properties, grains, *drag, rho, rho*nu);
+    printTimeStep(properties, grains, *drag, rho, mu);
+    if (properties.dict().found("heat"))
+    {
+        printBiotNumbers(properties, grains, *drag, transport, mu);
+    }
 }
 
 
@@ -130,7 +141,12 @@ int main(int argc, char *argv[])
     );
     if (transport.size())
     {
-        checkFluidInput(mesh, transport);
+        checkFluidInput
+        (
+            mesh,
+            transport,
+            transport.found("Cp") ? thermalFluid::keywords() : wordList()
+        );
     }
     const bool good =
         isPlanar(mesh) ? check<2>(mesh, transport) : check<3>(mesh, transport);

@@ -70,10 +70,11 @@ void Foam::checkPISO(const dictionary& fvSolution, const wordList& others)
 void Foam::checkFluidInput
 (
     const fvMesh& mesh,
-    const dictionary& transportProperties
+    const dictionary& transportProperties,
+    const wordList& others
 )
 {
-    checkTransportProperties(transportProperties);
+    checkTransportProperties(transportProperties, others);
     checkPISO(mesh.solutionDict());
     refuseFiles(mesh.time(), {"MRFProperties"});
 }

@@ -56,8 +56,7 @@ Foam::thermalFluid::thermalFluid
 :
     singleFluid
     (
-        U, phiU, {"Cp", "kappa", "mu", "beta", "TRef", "Prt", "vapour"},
-        plateHeat::keywords()
+        U, phiU, keywords(), plateHeat::keywords()
     ),
     T_(T),
     capacity_
@@ -90,6 +89,12 @@ Foam::thermalFluid::thermalFluid
         );
     }
     correct();
+}
+
+
+Foam::wordList Foam::thermalFluid::keywords()
+{
+    return wordList({"Cp", "kappa", "mu", "beta", "TRef", "Prt", "vapour"});
 }
 
 

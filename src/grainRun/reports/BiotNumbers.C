@@ -1,0 +1,104 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "BiotNumbers.H"
+
+#include "dictionaryInput.H"
+#include "functionOfTemperature.H"
+#include "heatLaw.H"
+#include "recommendedTimeStep.H"
+
+#include <numeric>
+
+namespace
+{
+
+// [kg m/s^3/K], [m^2/s^2/K]
+const Foam::dimensionSet dimConductivity(1, 1, -3, -1, 0);
+const Foam::dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
+
+}
+
+
+template<int D>
+Foam::scalar Foam::meanTemperature(const nscd::Grains<D>& grains)
+{
+    const auto& T = grains.temperature;
+    return T.empty() ? 0 : std::accumulate(T.begin(), T.end(), 0.0)/T.size();
+}
+
+
+template<int D>
+void Foam::printBiotNumbers
+(
+    const grainProperties<D>& properties,
+    const nscd::Grains<D>& grains,
+    const dragLaw& drag,
+    const dictionary& transport,
+    const scalar mu
+)
+{
+    const autoPtr<heatLaw> law
+    (
+        heatLaw::New
+        (
+            dictionaryInput::subDict(properties.coupling(), "heatTransfer"), D
+        )
+    );
+    const scalar rho = dictionaryInput::getPositive(transport, "rho", dimDensity);
+    const scalar Cp =
+        dictionaryInput::getPositive(transport, "Cp", dimHeatCapacity);
+    const scalar k =
+        functionOfTemperature(transport, "kappa", dimConductivity).at
+        (
+            meanTemperature(grains)
+        );
+    const scalar ratio =
+        properties.space().lengthRatio(properties.packingRatio());
+    const dictionary& materials = properties.dict().subDict("materials");
+
+    scalar largest = 0;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const label materiali = grains.material[i];
+        const scalar kp = dictionaryInput::getPositiveOrDefault
+        (
+            materials.subDict(properties.materials().names()[materiali]),
+            "conductivity", dimConductivity, GREAT
+        );
+        const scalar d = 2*grains.radius[i]*ratio;
+        const scalar speed = settlingSpeed
+        (
+            drag, d, properties.materials().density(materiali), rho, mu,
+            mag(properties.g())
+        );
+        const scalar Nu = law->Nu(1, rho*speed*d/mu, mu*Cp/k);
+        const scalar surface = law->perVolume(1, 1, d)*sqr(d);
+        largest = max(largest, Nu*k/(kp*surface));
+    }
+
+    Info<< nl << "Biot number             " << largest
+        << " at most, of grains that settle alone" << endl;
+    if (largest > 0.1)
+    {
+        WarningInFunction
+            << "Above 0.1 the inside of a grain lags behind its surface: one"
+            << " temperature is not enough" << endl;
+    }
+}
+
+
+template Foam::scalar Foam::meanTemperature(const nscd::Grains<2>&);
+template Foam::scalar Foam::meanTemperature(const nscd::Grains<3>&);
+template void Foam::printBiotNumbers
+(
+    const grainProperties<2>&, const nscd::Grains<2>&,
+    const dragLaw&, const dictionary&, const scalar
+);
+template void Foam::printBiotNumbers
+(
+    const grainProperties<3>&, const nscd::Grains<3>&,
+    const dragLaw&, const dictionary&, const scalar
+);

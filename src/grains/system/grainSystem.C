@@ -24,6 +24,7 @@ Foam::grainSystem::grainSystem(const fvMesh& mesh, const vector& g)
             << "    allowed: in dryGrainFoam" << exit(FatalIOError);
     }
 
+    motion_->warnOfUnseenWalls();
     setCells();
     map();
     checkLost();

@@ -8,6 +8,7 @@
 #include "dictionaryInput.H"
 #include "fluidInput.H"
 #include "HeleShaw.H"
+#include "viscosityModel.H"
 
 namespace
 {
@@ -55,6 +56,14 @@ Foam::singleFluid::singleFluid
     ),
     plates_("plates", dimless/dimArea, HeleShawPlates(properties_))
 {
+    if (properties_.found("transportModel"))
+    {
+        dictionaryInput::getWord
+        (
+            properties_, "transportModel",
+            viscosityModel::dictionaryConstructorTablePtr_->sortedToc()
+        );
+    }
     checkTransportProperties(properties_);
     if (properties_.found("transportModel"))
     {

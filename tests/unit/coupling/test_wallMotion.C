@@ -155,7 +155,7 @@ TEST_F(WallMotion, RefusesWhatMakesNoSense)
 {
     EXPECT_FOAM_ERROR
     (
-        motion("type jump;"), "free oscillation rotation table translation"
+        motion("type jump;"), "free mesh oscillation rotation table translation"
     );
     EXPECT_FOAM_ERROR(motion("type translation;"), "velocity");
     EXPECT_FOAM_ERROR(motion("type translation; velocity (0 0 1);"), "in the plane of the mesh");
@@ -176,6 +176,7 @@ TEST_F(WallMotion, RefusesWhatMakesNoSense)
     (
         motion("type oscillation; direction (0 1 0); amplitude 1; frequency 0;"), "'frequency'"
     );
+    EXPECT_FOAM_ERROR(motion("type mesh;"), "is not 'patches'");
     EXPECT_FOAM_ERROR(motion("type free; centre (0 0 0);"), "mass");
     EXPECT_FOAM_ERROR(motion("type free; mass -1; centre (0 0 0);"), "'mass'");
     EXPECT_FOAM_ERROR

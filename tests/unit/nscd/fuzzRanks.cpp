@@ -20,7 +20,8 @@ struct Outcome
     nscd::StepReport report;
 };
 
-/// A step that ends in an exception reports nothing, a new report: GCC 12 lets the step write into one that is assigned.
+/// A step that ends in an exception reports nothing: a new report, as GCC 12 lets the step write into one that is
+/// assigned.
 template <int D>
 Outcome step(nscd::ContactDynamics<D>& dynamics, const RandomScene<D>& random)
 {

@@ -83,7 +83,11 @@ void Foam::grainWallMotionPointPatchVectorField::prepare()
     const fvMesh& mesh = refCast<const fvMesh>(internalField().mesh()());
     const polyPatch& patch = mesh.boundaryMesh()[this->patch().index()];
 
-    displacement_ = wallDisplacement::New(mesh, patch);
+    // All ranks at once
+    if (!displacement_)
+    {
+        displacement_ = wallDisplacement::New(mesh, patch);
+    }
     initial_ = pointField(initialPoints(mesh)(), patch.meshPoints());
 }
 

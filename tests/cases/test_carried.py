@@ -139,7 +139,7 @@ def test_periodic_box(clone, size, D):
     assert_bounded(case)
     # Round-off of each step's sum
     steps = len(ledger(case)["time"])
-    assert assert_kept(case) <= 1e-13 * steps * SIDE**2 * DEPTH
+    assert assert_kept(case) <= np.finfo(float).eps * steps * SIDE**2 * DEPTH
 
 
 FEEDS = {

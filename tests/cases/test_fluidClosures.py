@@ -115,3 +115,83 @@ def test_layers_share_the_shear_by_their_viscosity(clone, law, ratio):
     below, above = u[3] - u[1], u[8] - u[6]
     # Steady to exp(-pi^2 nu t / SIDE^2 / 2), 5e-5, with the grains' inertia
     assert below / above == pytest.approx(ratio(phi), rel=1e-3)
+
+
+# Per volume [N/m^3], and the velocity to keep [m/s]
+FORCE = 10.0
+MEAN = 0.01
+SOURCES = {
+    "force": f"""
+        type vectorSemiImplicitSource;
+        volumeMode specific;
+        injectionRateSuSp {{ U (({FORCE} 0 0) 0); }}
+    """,
+    "mean": f"""
+        type meanVelocityForce;
+        fields (U);
+        Ubar ({MEAN} 0 0);
+    """,
+}
+
+
+def endless_channel(clone, n, source, fluid, name=None):
+    """From left to right and back to the left between walls, without grains."""
+    case = grain_box(clone, [], 0.001, name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"(4 {n} 1)")
+    make_cyclic(case, ("left", "right"))
+    case.run("blockMesh")
+    walls = f"{WALLS}\n    {{\n        type    noSlip;\n    }}"
+    replace(case, "0/U", walls, '"left|right" { type cyclic; } "bottom|top" { type noSlip; }')
+    replace(case, "0/p_rgh", WALLS, '"left|right" { type cyclic; } "bottom|top"')
+    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
+    replace(case, "constant/g", "-9.81", "0")
+    # Two correctors are unstable here, as in pisoFoam, where nu deltaT/h^2 exceeds a few
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+    text = (case.path / FLUID).read_text()
+    (case.path / FLUID).write_text(text.replace("nu  ", f"{fluid}\n//  "))
+    (case.path / "constant/fvOptions").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }\n"
+        f"drive {{ {SOURCES[source]} selectionMode all; }}\n"
+    )
+    return case
+
+
+def profile(case, n):
+    """Velocity from wall to wall, the same all along."""
+    u = case.field("U").reshape(n, 4, 3)
+    assert np.ptp(u[:, :, 0], axis=1).max() <= 1e-9 * u.max()
+    y = (np.arange(n) + 0.5) / n * SIDE - SIDE / 2
+    return np.abs(y), u[:, 1, 0]
+
+
+def test_power_law_has_its_profile(clone):
+    """u = (G/k)^(1/n) (H^q - y^q)/q with q = 1 + 1/n, half the width H and the force G over rho."""
+    exponent, k, half = 0.5, 5e-4, SIDE / 2
+    model = f"powerLaw; powerLawCoeffs {{ nuMax 0.01; nuMin 1e-7; k {k}; n {exponent}; }}"
+    errors = []
+    for n in (10, 20, 40):
+        case = endless_channel(clone, n, "force", f"transportModel {model}", name=f"cells{n}")
+        control(case, deltaT=0.02, endTime=30, writeInterval=1500)
+        case.run("grainFoam")
+        y, u = profile(case, n)
+        power = 1 + 1 / exponent
+        exact = (FORCE / RHO / k) ** (1 / exponent) * (half**power - y**power) / power
+        errors.append(np.abs(u - exact).max() / exact.max())
+    assert errors[-1] <= 2e-3
+    assert np.all(np.log2(errors[:-1] / np.array(errors[1:])) > 1.9)
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_source_of_momentum_drives_a_channel(clone, source):
+    """u = f/(2 mu) (H^2 - y^2), and h^2/4 of it between the wall and the middle of its cells."""
+    mu, n = 0.8, 40
+    case = endless_channel(clone, n, source, f"nu {mu / RHO};")
+    control(case, deltaT=0.05, endTime=40, writeInterval=800)
+    case.run("grainFoam")
+    y, u = profile(case, n)
+    shape = (SIDE / 2) ** 2 - y**2 + (SIDE / n) ** 2 / 4
+    force = FORCE if source == "force" else 2 * mu * MEAN / shape.mean()
+    # The start has decayed to exp(-pi^2 nu t/(4 H^2)) = 2e-14
+    np.testing.assert_allclose(u, force / (2 * mu) * shape, rtol=1e-8)
+    if source == "mean":
+        assert u.mean() == pytest.approx(MEAN, rel=1e-10)

@@ -126,3 +126,57 @@ def test_bed_of_grains(clone):
     difference = np.abs(turbulent.field("U") - laminar.field("U")).max()
     assert difference > 1e-2 * SPEED
     assert ledger(turbulent)["transportDefect"].max() <= 1e-12
+
+
+BAD = {
+    # Name: what is wrong, what the message has
+    "simulationType": (
+        lambda case: set_model(case, "simulationType DNS;"),
+        [TURBULENCE, "'simulationType'", "value DNS", "allowed: (laminar RAS LES)"],
+    ),
+    "noSimulationType": (
+        lambda case: set_model(case, "RAS { RASModel kEpsilon; }"),
+        [TURBULENCE, "'simulationType'", "missing", "allowed: (laminar RAS LES)"],
+    ),
+    "viscoelastic": (
+        lambda case: set_model(
+            case,
+            "simulationType laminar;"
+            " laminar { laminarModel Maxwell; MaxwellCoeffs { nuM 1; lambda 1; } }",
+        ),
+        [TURBULENCE, "'laminarModel'", "value Maxwell", "allowed: (Stokes)"],
+    ),
+    "viscoelasticOfLaterVersions": (
+        lambda case: set_model(case, "simulationType laminar; laminar { model Giesekus; }"),
+        [TURBULENCE, "'model'", "value Giesekus", "allowed: (Stokes)"],
+    ),
+    "RAS": (
+        lambda case: set_model(case, "simulationType RAS;"),
+        [TURBULENCE, "'RAS'", "missing", "allowed: a dictionary"],
+    ),
+    "RASModel": (
+        lambda case: replace(case, TURBULENCE, "RASModel kEpsilon", "RASModel kEpsilom"),
+        [TURBULENCE, "RASModel", "kEpsilom", "kEpsilon kOmegaSST"],
+    ),
+    "noTransportModel": (
+        lambda case: replace(case, FLUID, "transportModel Newtonian;", ""),
+        [FLUID, "'transportModel'", "missing", "allowed: transportModel Newtonian"],
+    ),
+    "transportModel": (
+        lambda case: replace(case, FLUID, "Newtonian;", "Newtonain;"),
+        [FLUID, "'transportModel'", "value Newtonain", "allowed: (", "Newtonian", "powerLaw"],
+    ),
+    "noK": (lambda case: (case.path / "0/k").unlink(), ["0/k", "cannot find file"]),
+    "noNut": (lambda case: (case.path / "0/nut").unlink(), ["0/nut", "cannot find file"]),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_what_a_model_lacks_is_named(clone, name):
+    spoil, fragments = BAD[name]
+    case = channel(clone, steps=1)
+    spoil(case)
+    assert case.run("grainFoam", check=False, timeout=60) == 1
+    for fragment in fragments:
+        assert fragment in case.log, f"no '{fragment}' in\n{case.log[case.log.find('-->') :]}"
+    assert "\nTime = " not in case.log

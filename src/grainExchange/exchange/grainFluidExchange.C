@@ -133,7 +133,6 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     unresolved_.predict(eps_, U(), *resolved_, fields_);
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());
-    fields_.freePatches = openings_.freePatches(cellU);
     fields_.correctBoundaryConditions();
 }
 
@@ -151,6 +150,7 @@ void Foam::grainFluidExchange::meshChanged()
 void Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);
+    fields_.freePatches = openings_.freePatches(U);
     if (grains_.inject(U))
     {
         setEps();

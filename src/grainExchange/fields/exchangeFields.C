@@ -11,6 +11,21 @@
 namespace
 {
 
+//- A field that meshes that move ask for before it is set anew
+Foam::IOobject kept(const Foam::word& name, const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        mesh.dynamic() ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+        mesh.dynamic() ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+    );
+}
+
+
 template<class Type>
 Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh> zeroField
 (
@@ -58,12 +73,12 @@ Foam::exchangeFields::exchangeFields
 :
     fluidShare
     (
-        IOobject("fluidShare", mesh.time().timeName(), mesh),
+        kept("fluidShare", mesh),
         mesh,
         dimensionedScalar("one", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
-    kappa(zeroField<scalar>(mesh, "kappa", dimless)),
+    kappa(kept("kappa", mesh), mesh, dimensionedScalar(dimless, Zero)),
     beta(zeroField<scalar>(mesh, "beta", dimDensity/dimTime)),
     b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
     G(zeroField<vector>(mesh, "G", dimVelocity)),

@@ -9,6 +9,7 @@
 #include "grainChecks.H"
 #include "grainState.H"
 #include "passablePatches.H"
+#include "startOfStep.H"
 
 template<int D>
 Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
@@ -19,6 +20,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
     outlets_(properties_, injections_.openings()),
     openings_(outlets_.openings())
 {
+    properties_.patches().requireMesh();
     const bool restart = continuesFromState(mesh.time());
 
     try
@@ -107,16 +109,12 @@ void Foam::grainDynamics<D>::advance
         torque[i] = space().spinFromSpace(givenTorque[i]);
     }
 
-    // Without the round-off of a sum of steps, which a restart would not have
-    const scalar grid = 1e-6*deltaT;
-    const scalar start =
-        grid*std::round((mesh().time().value() - deltaT)/grid);
-
     try
     {
         properties_.walls().setMotion
         (
-            *dynamics_, start, deltaT, space().fromSpace(properties_.g())
+            *dynamics_, startOfStep(mesh().time()), deltaT,
+            space().fromSpace(properties_.g())
         );
         sizeOfStep_ = size();
         lastStep_ = dynamics_->step(force, torque, deltaT);

@@ -130,6 +130,10 @@ void Foam::grainDynamics<D>::move
     {
         advance(fluidForce, fluidTorque, deltaT);
     }
+    if (mesh().moving())
+    {
+        properties_.patches().check(dynamics().wallBodies());
+    }
     fluidForce_ = fluidForce;
 }
 

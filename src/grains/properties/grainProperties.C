@@ -45,7 +45,7 @@ Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
     (
         dictionaryInput::subDict(dict_, "walls"), space_, materials_
     ),
-    stillPatches_(dictionaryInput::subDict(dict_, "walls"), mesh),
+    patchWalls_(dictionaryInput::subDict(dict_, "walls"), space_, walls_),
     contact_(readContact()),
     packingRatio_(readPackingRatio()),
     areFixed_(readFixed()),

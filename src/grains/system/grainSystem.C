@@ -46,6 +46,7 @@ Foam::grainSystem::grainSystem
             << exit(FatalIOError);
     }
 
+    motion_->warnOfUnseenWalls();
     setCells();
     map();
     checkLost();

@@ -59,7 +59,7 @@ Foam::grainWalls<D>::grainWalls
             plane.material = material;
             plane.body = body;
             planes.push_back(plane);
-            extents_.push_back({name, 1, boundBox()});
+            extents_.push_back({name, 1, boundBox(), body});
             continue;
         }
 
@@ -84,7 +84,7 @@ Foam::grainWalls<D>::grainWalls
             );
             own = wallPieces::ofSurface(wall, space);
         }
-        extents_.push_back({name, label(own.size()), boundBox()});
+        extents_.push_back({name, label(own.size()), boundBox(), body});
         for (wallPiece<D>& piece : own)
         {
             for (const nscd::Vector<D>& x : wallPieces::corners(piece))

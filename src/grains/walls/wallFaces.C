@@ -9,6 +9,7 @@ Description
 #include "wallPieces.H"
 
 #include "dictionaryInput.H"
+#include "initialPoints.H"
 #include "wallSurface.H"
 
 Foam::wallPieceList<3> Foam::wallPieces::ofPatches
@@ -17,13 +18,15 @@ Foam::wallPieceList<3> Foam::wallPieces::ofPatches
     const grainSpace<3>& space
 )
 {
+    const tmp<pointField> points(initialPoints(space.mesh()));
+
     DynamicList<List<point>> local;
     for (const label patchi : selectedPatches(dict, space.mesh()))
     {
         const polyPatch& patch = space.mesh().boundaryMesh()[patchi];
         for (const face& f : patch)
         {
-            local.append(List<point>(patch.points(), f));
+            local.append(List<point>(points(), f));
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "emptyPolyPatch.H"
+#include "initialPoints.H"
 #include "OSspecific.H"
 #include "polyBoundaryMesh.H"
 #include "processorPolyPatch.H"
@@ -138,7 +139,11 @@ nscd::Segment Foam::wallPieces::ofPlane
     const Pair<nscd::Vector<2>> plane(readPlane(dict, space));
     const nscd::Vector<2>& p = plane.first();
     const nscd::Vector<2>& n = plane.second();
-    const Eigen::AlignedBox2d domain(space.globalDomain());
+    const boundBox bounds(initialPoints(space.mesh())());
+    const Eigen::AlignedBox2d domain
+    (
+        space.fromSpace(bounds.min()), space.fromSpace(bounds.max())
+    );
 
     // From the middle of the mesh on to both sides, wherever grains can be
     const nscd::Vector<2> middle(domain.center());

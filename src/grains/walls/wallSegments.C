@@ -9,6 +9,7 @@ Description
 #include "wallPieces.H"
 
 #include "dictionaryInput.H"
+#include "initialPoints.H"
 #include "wallSurface.H"
 
 namespace
@@ -43,6 +44,8 @@ Foam::wallPieceList<2> Foam::wallPieces::ofPatches
     const grainSpace<2>& space
 )
 {
+    const tmp<pointField> points(initialPoints(space.mesh()));
+
     DynamicList<ends> local;
     for (const label patchi : selectedPatches(dict, space.mesh()))
     {
@@ -53,8 +56,8 @@ Foam::wallPieceList<2> Foam::wallPieces::ofPatches
         {
             forAll(f, i)
             {
-                const point& p = patch.points()[f[i]];
-                const point& q = patch.points()[f.nextLabel(i)];
+                const point& p = points()[f[i]];
+                const point& q = points()[f.nextLabel(i)];
                 if
                 (
                     space.toPlane(p) != space.toPlane(q)

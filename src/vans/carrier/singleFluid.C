@@ -8,6 +8,7 @@
 #include "dictionaryInput.H"
 #include "fluidInput.H"
 #include "HeleShaw.H"
+#include "viscosityModel.H"
 
 namespace
 {
@@ -62,6 +63,14 @@ Foam::singleFluid::singleFluid
         HeleShawPlates(properties_, moreEntriesOfPlates)
     )
 {
+    if (properties_.found("transportModel"))
+    {
+        dictionaryInput::getWord
+        (
+            properties_, "transportModel",
+            viscosityModel::dictionaryConstructorTablePtr_->sortedToc()
+        );
+    }
     checkTransportProperties(properties_, moreEntries);
     if (properties_.found("transportModel"))
     {

@@ -27,11 +27,24 @@ tmp<surfaceVectorField> withFlux
     return result;
 }
 
+template<class Field>
+void keepOldTime(const Field& x)
+{
+    x.oldTime();
+    x.storeOldTimes();
+}
+
 }
 
 
 void Foam::vansFlow::beforeMeshChange()
 {
+    // In the first step after a start, too: a field that is changed before its
+    // old time is asked for would have the changed one as its old time
+    keepOldTime(fields_.U);
+    keepOldTime(fields_.phiU);
+    keepOldTime(fields_.phiAlpha);
+
     faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
     faceAlphaU_.reset
     (

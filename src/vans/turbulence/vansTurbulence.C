@@ -42,6 +42,10 @@ bool Foam::vansTurbulence::isSelected(const fvMesh& mesh)
             );
         }
     }
+    if (type != "laminar")
+    {
+        dictionaryInput::subDict(dict, type);
+    }
     return type != "laminar";
 }
 

@@ -6,6 +6,7 @@
 #include "foamTest.H"
 
 #include "mathematicalConstants.H"
+#include "prescribedMotion.H"
 #include "wallMotion.H"
 
 using namespace Foam;
@@ -52,6 +53,27 @@ protected:
     }
 };
 
+}
+
+
+TEST_F(WallMotion, IsAtATimeWhereItsStepsLead)
+{
+    for (const char* entries :
+        {
+            "type translation; velocity (1 2 0); start 0.023; end 0.071;",
+            "type oscillation; direction (1 1 0); amplitude 0.3; frequency 4;",
+            "type rotation; origin (0.2 0.1 0); axis (0 0 1); rpm 30; start 0.015;",
+            "type table; displacement table ((0 (0 0 0)) (0.04 (1 0 0)) (1 (3 2 0)));"
+            " angle table ((0 0) (0.03 1) (1 2)); origin (0.5 0.5 0); axis (0 0 1);"
+        })
+    {
+        const autoPtr<wallMotion<2>> m(motion(entries));
+        const auto& prescribed = dynamic_cast<const wallMotions::prescribed<2>&>(*m);
+        const nscd::WallBody<2> at = prescribed.bodyAt(10*dt);
+        const nscd::WallBody<2> led = after(10, entries);
+        EXPECT_NEAR((at.position - led.position).norm(), 0, 1e-14) << entries;
+        EXPECT_NEAR(at.orientation.angle(), led.orientation.angle(), 1e-14) << entries;
+    }
 }
 
 
@@ -133,7 +155,7 @@ TEST_F(WallMotion, RefusesWhatMakesNoSense)
 {
     EXPECT_FOAM_ERROR
     (
-        motion("type jump;"), "free oscillation rotation table translation"
+        motion("type jump;"), "free mesh oscillation rotation table translation"
     );
     EXPECT_FOAM_ERROR(motion("type translation;"), "velocity");
     EXPECT_FOAM_ERROR(motion("type translation; velocity (0 0 1);"), "in the plane of the mesh");
@@ -154,6 +176,7 @@ TEST_F(WallMotion, RefusesWhatMakesNoSense)
     (
         motion("type oscillation; direction (0 1 0); amplitude 1; frequency 0;"), "'frequency'"
     );
+    EXPECT_FOAM_ERROR(motion("type mesh;"), "is not 'patches'");
     EXPECT_FOAM_ERROR(motion("type free; centre (0 0 0);"), "mass");
     EXPECT_FOAM_ERROR(motion("type free; mass -1; centre (0 0 0);"), "'mass'");
     EXPECT_FOAM_ERROR

@@ -30,7 +30,7 @@ def parameters(case):
 
 
 def nusselt(case):
-    """At the hot and the cold wall at all times, and times over those that heat takes to diffuse."""
+    """Times over that which heat takes to diffuse; at the hot and the cold wall; worst error."""
     p = parameters(case)
     book = np.genfromtxt(
         case / "postProcessing/heatLedger/0/heatLedger.csv", delimiter=",", names=True

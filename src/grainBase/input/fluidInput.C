@@ -73,7 +73,14 @@ void Foam::checkFluidInput
     const dictionary& transportProperties
 )
 {
-    checkTransportProperties(transportProperties);
+    // A fluid with heat has a heat capacity
+    checkTransportProperties
+    (
+        transportProperties,
+        transportProperties.found("Cp")
+      ? wordList({"Cp", "kappa", "mu", "beta", "TRef", "Prt"})
+      : wordList()
+    );
     checkPISO(mesh.solutionDict());
     refuseFiles(mesh.time(), {"MRFProperties"});
 }

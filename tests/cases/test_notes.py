@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from dry_box import dry_box
 from grain_box import control, grain_box, replace
+from heat_box import with_heat
 
 GRAINS = "constant/grainProperties"
 
@@ -105,16 +106,30 @@ def test_users_own_programs_stay_in_front(tmp_path):
     assert found[3].startswith(f"{root}/platforms/")
 
 
-def test_documented_dictionaries_run(clone):
+def without_heat(transport_properties):
+    """Entries that grainFoam refuses are marked as grainThermalFoam's alone."""
+    lines, skip = [], False
+    for line in transport_properties.splitlines():
+        skip = (skip or "Of grainThermalFoam alone" in line) and line.strip() not in ("", "}")
+        lines += [] if skip else [line]
+    return "\n".join([*lines, ""])
+
+
+@pytest.mark.parametrize("application", ["grainFoam", "grainThermalFoam"])
+def test_documented_dictionaries_run(clone, application):
     """Time-step control, function objects, schemes and solvers of etc/caseDicts, in a case."""
     root = Path(__file__).resolve().parents[2]
     case = grain_box(clone, [(0.05, 0.03), (0.03, 0.05)])
+    if application == "grainThermalFoam":
+        with_heat(case, T=290, grains=290)
     for folder, names in {
         "system": ("controlDict", "fvSchemes", "fvSolution"),
         "constant": ("transportProperties",),
     }.items():
         for name in names:
             text = (root / "etc/caseDicts" / name).read_text()
+            if name == "transportProperties" and application == "grainFoam":
+                text = without_heat(text)
             (case.path / folder / name).write_text(text)
     (case.path / "0/dye").write_text(
         "FoamFile { version 2.0; format ascii; class volScalarField; object dye; }\n"
@@ -122,11 +137,13 @@ def test_documented_dictionaries_run(clone):
         'boundaryField { frontAndBack { type empty; } ".*" { type zeroGradient; } }\n'
     )
     case.run("checkGrains")
-    case.run("grainFoam")
+    case.run(application)
     assert case.times == ["0", "0.005", "0.01"]
     assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12
     written = {path.name for path in (case.path / "postProcessing").iterdir()}
-    assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "problems"} - (
+    assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "problems"} | (
+        {"heatLedger"} if application == "grainThermalFoam" else set()
+    ) - (
         set() if "problems" in written else {"problems"}
     )
     assert "maxGrainDisplacement" in case.log

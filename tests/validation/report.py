@@ -13,8 +13,8 @@ import grainresults
 HEAD = """# Validation
 
 What grainFoam gives against published data and closed forms, written by `tests/validation/run`.
-Each case is a folder of `tutorials/grainFoam` or `tests/validation`, with its set-up and what the
-figures show.
+Each case is a folder of `tutorials/grainFoam`, `tutorials/grainThermalFoam` or `tests/validation`,
+with its set-up and what the figures show.
 """
 
 

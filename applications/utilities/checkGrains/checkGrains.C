@@ -106,7 +106,7 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     grainChecks<D>(properties, grains).requireTolerance();
     const bool good = printFaults(properties, grains);
 
-    if (grains.size() && transport.size())
+    if (grains.size() && transport.found("nu"))
     {
         printTimeStepInFluid(properties, grains, transport);
     }

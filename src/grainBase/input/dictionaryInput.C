@@ -20,6 +20,13 @@ scalar readChecked
     const dimensionSet& dims
 )
 {
+    OStringStream allowed;
+    allowed << "a number with the dimensions " << dims << " or without any";
+    if (!dict.found(keyword))
+    {
+        dictionaryInput::missing(dict, keyword, allowed.str());
+    }
+
     const string text(dictionaryInput::written(dict, keyword));
     // Wrong dimensions would end in abort() and a stack trace
     scalar value = 0;
@@ -36,8 +43,7 @@ scalar readChecked
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "' has the value "
             << text.c_str() << nl << "    " << message.c_str() << nl
-            << "    allowed: a number with the dimensions " << dims
-            << " or without any" << exit(FatalIOError);
+            << "    allowed: " << allowed.str().c_str() << exit(FatalIOError);
     }
 
     // Squares and cubes of it are numbers, too

@@ -27,12 +27,12 @@ Foam::word Foam::dictionaryInput::shapeOfLaw
     }
     if (!ofLaw.found(shape))
     {
-        badValue
-        (
-            dict, "type", written(dict, "type"),
-            "a law of " + shape + "s; this one is of " + ofLaw[0] + "s: '"
-          + "shape " + ofLaw[0] + ";' beside it takes the grains for those"
-        );
+        string allowed("a law of " + shape + "s; this one is of " + ofLaw[0] + 's');
+        if (shape == ofGrains && ofGrains == "disc")
+        {
+            allowed += ": 'shape sphere;' beside it takes the grains for those";
+        }
+        badValue(dict, "type", written(dict, "type"), allowed);
     }
     return shape;
 }

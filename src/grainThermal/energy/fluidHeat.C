@@ -14,11 +14,26 @@ Foam::fluidHeat::fluidHeat(const fvMesh& mesh)
 {
     const volScalarField& T = T_.field();
     dictionaryInput::checkDimensions(T, T.dimensions(), dimTemperature);
-    if (min(T).value() <= 0)
+    checkPositive("internalField", T.primitiveField());
+    for (const fvPatchScalarField& patch : T.boundaryField())
+    {
+        checkPositive("boundaryField." + patch.patch().name(), patch);
+    }
+}
+
+
+void Foam::fluidHeat::checkPositive
+(
+    const string& keyword,
+    const scalarField& T
+) const
+{
+    const scalar least = min(T);
+    if (!(least > 0))
     {
         FatalErrorInFunction
-            << "The field T of time " << mesh.time().timeName()
-            << " has the value " << min(T).value() << nl
+            << "Keyword '" << keyword.c_str() << "' of the file "
+            << T_.field().objectPath() << " has the value " << least << nl
             << "    allowed: values > 0 [K]" << exit(FatalError);
     }
 }

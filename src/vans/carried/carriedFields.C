@@ -28,14 +28,9 @@ Foam::carriedFields::carriedFields
             dictionaryInput::checkKeywords(entries, {"D"});
             D_.append
             (
-                dimensionedScalar
+                dictionaryInput::getScalarOrDefault
                 (
-                    "D",
-                    dimViscosity,
-                    dictionaryInput::getScalarOrDefault
-                    (
-                        entries, "D", dimViscosity, 0, 0
-                    )
+                    entries, "D", dimViscosity, 0, 0
                 )
             );
             scalars_.append(new fluidScalar(mesh, name));
@@ -106,7 +101,10 @@ void Foam::carriedFields::carry
     );
     forAll(scalars_, i)
     {
-        scalars_[i].carry(*flux_, D_[i]);
+        scalars_[i].carry
+        (
+            *flux_, dimensionedScalar("D", dimViscosity, D_[i])
+        );
     }
     if (turbulence_)
     {

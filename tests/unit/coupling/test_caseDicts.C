@@ -10,8 +10,13 @@
 #include "grainMaterials.H"
 #include "grainOutlet.H"
 #include "grainShapes.H"
+#include "heatLaw.H"
 #include "IFstream.H"
+#include "thermalFluid.H"
 #include "wallMotion.H"
+
+#include <fstream>
+#include <sstream>
 
 using namespace Foam;
 
@@ -69,6 +74,54 @@ TEST(CaseDicts, OfGrainPropertiesAreAccepted)
     EXPECT_EQ(shapes.names(), wordList({"rod", "disc"}));
     EXPECT_EQ(shapes.find("rod"), 0);
     EXPECT_EQ(shapes.find("disc"), -1);
+}
+
+
+TEST(CaseDicts, OfHeatTransferAreAccepted)
+{
+    const dictionary coupling(documented("grainProperties").subDict("coupling"));
+    const autoPtr<heatLaw> law(heatLaw::New(coupling.subDict("heatTransfer"), 2));
+    EXPECT_EQ(law->type(), "Henry");
+
+    // Its comment names every law
+    std::stringstream text;
+    text << std::ifstream(GRAINFOAM_SRC "/../etc/caseDicts/grainProperties").rdbuf();
+    for (const word& type : heatLaw::dictionaryConstructorTablePtr_->sortedToc())
+    {
+        EXPECT_NE(text.str().find(type), std::string::npos) << type;
+    }
+}
+
+
+TEST(CaseDicts, OfTransportPropertiesAreThoseOfAFluidWithHeat)
+{
+    foamTest::planarCase planar(2, 2);
+    std::stringstream text;
+    text << std::ifstream(GRAINFOAM_SRC "/../etc/caseDicts/transportProperties").rdbuf();
+    planar.writeFile("constant/transportProperties", text.str());
+
+    const fvMesh& mesh = planar.mesh();
+    const auto io = [&](const word& name)
+    {
+        return IOobject(name, mesh.time().timeName(), mesh);
+    };
+    const volVectorField U(io("U"), mesh, dimensionedVector(dimVelocity, Zero));
+    const surfaceScalarField phiU
+    (
+        io("phiU"), mesh, dimensionedScalar(dimVelocity*dimArea, Zero)
+    );
+    const volScalarField T(io("T"), mesh, dimensionedScalar("T", dimTemperature, 303));
+    const thermalFluid fluid
+    (
+        U, phiU, T, dimensionedVector("g", dimAcceleration, vector(0, -9.81, 0))
+    );
+
+    // Warmer by 10 K than TRef
+    EXPECT_NEAR(fluid.capacity(), 1000*4180, 1e-6);
+    EXPECT_NEAR(fluid.kappa()[0], 0.6, 1e-12);
+    EXPECT_NEAR(fluid.rhoWeight()[0], 1000*(1 - 2e-4*10), 1e-9);
+    EXPECT_NEAR(fluid.plates().coefficient(), 2*350/0.02, 1e-9);
+    EXPECT_NEAR(fluid.plates().temperature(), 290, 1e-12);
 }
 
 

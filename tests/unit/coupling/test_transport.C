@@ -228,7 +228,8 @@ TEST_P(Carried, IsKeptAndBounded)
     setEps(eps);
     const volScalarField p(field("p_rgh", pressurePatches()));
     transportFlux flux(eps, vortex(), p);
-    fluidScalar dye(mesh_, "dye", dictionary());
+    fluidScalar dye(mesh_, "dye");
+    const dimensionedScalar D("D", dimViscosity, 0);
     volScalarField& T = const_cast<volScalarField&>(dye.field());
     for (scalar& value : T.primitiveFieldRef())
     {
@@ -248,7 +249,7 @@ TEST_P(Carried, IsKeptAndBounded)
         moveGrain();
         setEps(eps);
         flux.set(share, none);
-        dye.carry(flux);
+        dye.carry(flux, D);
 
         ASSERT_LE(flux.defect(), 1e-12);
         worst = max(worst, mag(dye.unaccounted())/amount);

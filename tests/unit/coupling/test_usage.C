@@ -8,11 +8,14 @@
 #include "adjustableTimeStep.H"
 #include "dragLaw.H"
 #include "effectiveViscosity.H"
+#include "functionOfTemperature.H"
 #include "grainHeat.H"
 #include "grainMaterials.H"
+#include "heatLaw.H"
 #include "HeleShaw.H"
 #include "liftLaw.H"
 #include "planarCells.H"
+#include "plateHeat.H"
 #include "sizeDistribution.H"
 #include "voidFractionMethod.H"
 
@@ -130,6 +133,19 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
         EXPECT_NO_THROW(effectiveViscosity::New(example(name)));
     }
     EXPECT_GT(HeleShawPlates(example("HeleShaw")), 0);
+
+    for (const char* name :
+        {"ChurchillBernstein", "Gunn", "Henry", "LiMason", "RanzMarshall", "WakaoKaguei"})
+    {
+        const label nDimensions = std::string(name) == "ChurchillBernstein" ? 2 : 3;
+        EXPECT_NO_THROW(heatLaw::New(example(name).subDict("heatTransfer"), nDimensions));
+    }
+    const plateHeat plateHeat(example("plateHeat"));
+    EXPECT_NEAR(plateHeat.coefficient(), 2*350/15e-3, 1e-6);
+    const dictionary function(example("functionOfTemperature"));
+    const dictionary& properties = function.subDict("transportProperties");
+    EXPECT_NO_THROW(functionOfTemperature(properties, "kappa", dimless));
+    EXPECT_NO_THROW(functionOfTemperature(properties, "mu", dimless));
 
     const adjustableTimeStep::limits limits(example("adjustableTimeStep").subDict("controlDict"));
     EXPECT_TRUE(limits.adjusts);

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input of heat: stops before the first step, names file, keyword, value, what is allowed."""
+
+import pytest
+from grain_box import control, grain_box, replace
+from heat_box import fix_grains, with_heat
+from sphere_box import sphere_box
+
+GRAINS = "constant/grainProperties"
+FLUID = "constant/transportProperties"
+T = "0/T"
+CENTRES = [(0.03, 0.03), (0.06, 0.05)]
+
+
+def swap(file, old, new):
+    """Replace a text in a file."""
+    return lambda case: replace(case, file, old, new)
+
+
+def drop(file, text):
+    return swap(file, text, "")
+
+
+def both(*spoils):
+    return lambda case: [spoil(case) for spoil in spoils]
+
+
+def add(file, text):
+    def spoil(case):
+        path = case.path / file
+        path.write_text(path.read_text() + text + "\n")
+
+    return spoil
+
+
+def remove(file):
+    return lambda case: (case.path / file).unlink()
+
+
+CP, KAPPA = "Cp 1000.0;", "kappa 0.6;"
+HEAT, LAW = "heat { conductance none; }", "heatTransfer { type RanzMarshall; shape sphere; }"
+PLATES = "HeleShaw { gap 0.01; heatTransfer %s; %s }"
+
+# name, how the good case is spoilt, what the message holds
+TABLE = [
+    # Temperature of the fluid
+    ("noT", remove(T), ["0/T"]),
+    ("dimensionsOfT", swap(T, "[0 0 0 1", "[0 0 1 0"), ["T", "[0 0 1 0 0 0 0]", "[0 0 0 1 0 0 0]"]),
+    ("zeroT", swap(T, "uniform 300.0", "uniform 0"), [T, "internalField", "value 0", "> 0 [K]"]),
+    (
+        "celsius",
+        swap(T, "uniform 300.0", "uniform -5"),
+        [T, "internalField", "value -5", "> 0 [K]"],
+    ),
+    (
+        "wallBelowZero",
+        swap(
+            T,
+            "top\" { type zeroGradient; }",
+            "nothing\" { type zeroGradient; } top { type fixedValue; value uniform -5; }",
+        ),
+        [T, "top", "value -5", "> 0 [K]"],
+    ),
+    ("noPatchOfT", drop(T, '"left|right|bottom|top" { type zeroGradient; }'), [T, "left"]),
+    # Of the fluid
+    ("noCp", drop(FLUID, CP), [FLUID, "'Cp'", "missing", "[0 2 -2 -1 0 0 0]"]),
+    ("zeroCp", swap(FLUID, CP, "Cp 0;"), [FLUID, "'Cp'", "value 0", "> 0"]),
+    ("wordCp", swap(FLUID, CP, "Cp water;"), [FLUID, "'Cp'", "water", "[0 2 -2 -1 0 0 0]"]),
+    (
+        "dimensionsOfCp",
+        swap(FLUID, CP, "Cp [0 2 -2 0 0 0 0] 1000;"),
+        [FLUID, "'Cp'", "[0 2 -2 0 0 0 0]", "[0 2 -2 -1 0 0 0]"],
+    ),
+    ("noKappa", drop(FLUID, KAPPA), [FLUID, "'kappa'", "missing", "> 0", "function"]),
+    ("zeroKappa", swap(FLUID, KAPPA, "kappa 0;"), [FLUID, "'kappa'", "value 0", "> 0"]),
+    (
+        "dimensionsOfKappa",
+        swap(FLUID, KAPPA, "kappa [1 1 -3 0 0 0 0] 0.6;"),
+        [FLUID, "'kappa'", "[1 1 -3 0 0 0 0]", "[1 1 -3 -1 0 0 0]"],
+    ),
+    ("functionOfKappa", swap(FLUID, KAPPA, "kappa tables ((300 1) (400 2));"),
+     [FLUID, "'kappa'", "tables", "function of the temperature"]),
+    ("functionBelowZero", swap(FLUID, KAPPA, "kappa polynomial ((-1 0));"),
+     [FLUID, "'kappa'", "value -1 at 300 K", "> 0"]),
+    ("zeroMu", both(drop(FLUID, "nu      [0 2 -1 0 0 0 0] 1e-4;"), add(FLUID, "mu 0;")),
+     [FLUID, "'mu'", "value 0", "> 0"]),
+    ("muAndNu", add(FLUID, "mu 1e-3;"), [FLUID, "'nu'", "0.0001", "as there is mu"]),
+    ("dimensionsOfBeta", add(FLUID, "beta [0 0 0 1 0 0 0] 1e-3; TRef 300;"),
+     [FLUID, "'beta'", "[0 0 0 1 0 0 0]", "[0 0 0 -1 0 0 0]"]),
+    ("noTRef", add(FLUID, "beta 1e-3;"), [FLUID, "'TRef'", "missing", "[0 0 0 1 0 0 0]"]),
+    ("zeroTRef", add(FLUID, "beta 1e-3; TRef 0;"), [FLUID, "'TRef'", "value 0", "> 0"]),
+    ("zeroPrt", add(FLUID, "Prt 0;"), [FLUID, "'Prt'", "value 0", "> 0"]),
+    ("unknownEntry", add(FLUID, "cp 1000;"), [FLUID, "'cp'", "Cp"]),
+    # Of the plates
+    ("noTemperatureOfPlates", add(FLUID, PLATES % (350, "")),
+     [FLUID, "HeleShaw", "'temperature'", "missing", "[0 0 0 1 0 0 0]"]),
+    ("zeroTemperatureOfPlates", add(FLUID, PLATES % (350, "temperature 0;")),
+     [FLUID, "HeleShaw", "'temperature'", "value 0", "> 0"]),
+    ("negativeTransferOfPlates", add(FLUID, PLATES % (-1, "temperature 300;")),
+     [FLUID, "HeleShaw", "'heatTransfer'", "value -1"]),
+    ("unknownEntryOfPlates", add(FLUID, PLATES % (350, "temperature 300; T 1;")),
+     [FLUID, "HeleShaw", "'T'", "temperature"]),
+    # Of the grains
+    ("noHeat", drop(GRAINS, HEAT), [GRAINS, "'heat'", "missing", "conductance"]),
+    ("unknownConductance", swap(GRAINS, "conductance none", "conductance full"),
+     [GRAINS, "heat", "'conductance'", "full", "none", "strip"]),
+    ("unknownEntryOfHeat", swap(GRAINS, "conductance none;", "conductance none; law x;"),
+     [GRAINS, "heat", "'law'", "conductance"]),
+    ("noHeatCapacity", drop(GRAINS, "heatCapacity 800.0;"),
+     [GRAINS, "glass", "'heatCapacity'", "> 0"]),
+    ("zeroHeatCapacity", swap(GRAINS, "heatCapacity 800.0;", "heatCapacity 0;"),
+     [GRAINS, "glass", "'heatCapacity'", "value 0"]),
+    ("noTemperature", drop(GRAINS, "temperature 400;"),
+     [GRAINS, "'temperature'", "grain 0", "> 0", "initialGrains"]),
+    ("zeroTemperature", swap(GRAINS, "temperature 400;", "temperature 0;"),
+     [GRAINS, "'temperature'", "value 0", "> 0"]),
+    ("wallWithoutConductance",
+     swap(GRAINS, "material    steel;\n    }", "material steel; temperature 300; }"),
+     [GRAINS, "heat", "'conductance'", "none", "box"]),
+    ("contactWithoutConductivity", swap(GRAINS, "conductance none", "conductance strip"),
+     [GRAINS, "glass", "'conductivity'", "missing", "[1 1 -3 -1 0 0 0]"]),
+    ("unknownInside", swap(GRAINS, "conductance none;", "conductance none; inside solid;"),
+     [GRAINS, "heat", "'inside'", "solid", "conducting", "isothermal"]),
+    ("movingGrainsConductInside",
+     swap(GRAINS, "conductance none;", "conductance none; inside conducting;"),
+     [GRAINS, "'inside'", "conducting", "isothermal", "fixed"]),
+    ("insideWithoutConductivity",
+     both(fix_grains, swap(GRAINS, "conductance none;", "conductance none; inside conducting;")),
+     [GRAINS, "'inside'", "conducting", "conductivity [W/m/K]"]),
+    # Laws
+    ("noHeatTransfer", drop(GRAINS, LAW), [GRAINS, "coupling", "'heatTransfer'", "missing"]),
+    ("noLaw", swap(GRAINS, "type RanzMarshall;", ""),
+     [GRAINS, "heatTransfer", "'type'", "missing", "Gunn"]),
+    ("unknownLaw", swap(GRAINS, "RanzMarshall", "Nusselt"),
+     [GRAINS, "heatTransfer", "'type'", "Nusselt", "ChurchillBernstein", "Gunn", "Henry", "LiMason",
+      "RanzMarshall", "WakaoKaguei"]),
+    ("lawOfSpheresForDiscs", swap(GRAINS, "RanzMarshall; shape sphere;", "RanzMarshall;"),
+     [GRAINS, "heatTransfer", "'type'", "value RanzMarshall", "a law of discs", "shape sphere;"]),
+    ("lawOfDiscsForSpheres", swap(GRAINS, "RanzMarshall", "ChurchillBernstein"),
+     [GRAINS, "heatTransfer", "'type'", "ChurchillBernstein", "a law of spheres"]),
+    ("unknownEntryOfLaw", swap(GRAINS, "RanzMarshall;", "RanzMarshall; n 2;"),
+     [GRAINS, "heatTransfer", "'n'", "type"]),
+    ("dipOfHenry", swap(GRAINS, "RanzMarshall;", "Henry; dip 3;"),
+     [GRAINS, "heatTransfer", "'dip'", "value 3", "1.8"]),
+]
+
+
+def hot_box(clone, **heat):
+    return with_heat(grain_box(clone, CENTRES), **heat)
+
+
+def assert_refused(case, fragments, application="grainThermalFoam"):
+    before = case.times
+    assert case.run(application, check=False, timeout=60) == 1
+    log = case.log
+    for fragment in fragments:
+        assert fragment in log, f"no '{fragment}' in\n{log[log.find('-->') :]}"
+    assert "\nTime = " not in log
+    assert case.times == before
+    assert "printStack" not in log and "sigFpe" not in log
+
+
+@pytest.mark.parametrize("spoil, fragments", [row[1:] for row in TABLE], ids=[r[0] for r in TABLE])
+def test_bad_input_is_refused(clone, spoil, fragments):
+    case = hot_box(clone)
+    spoil(case)
+    assert_refused(case, fragments)
+
+
+def test_good_input_is_accepted(clone):
+    case = hot_box(clone)
+    control(case, endTime=0.002, writeInterval=2)
+    case.run("grainThermalFoam")
+    assert case.times == ["0", "0.002"]
+
+
+def test_disc_laws_are_refused_for_spheres(clone):
+    centres = [(0.03, 0.03, 0.03)]
+    case = with_heat(sphere_box(clone, centres), law="type ChurchillBernstein;", empty="")
+    replace(case, T, "left|right|bottom|top", ".*")
+    assert_refused(
+        case, [GRAINS, "heatTransfer", "'type'", "value ChurchillBernstein", "a law of spheres"]
+    )
+
+
+def test_entries_of_heat_are_refused_by_grainFoam(clone):
+    case = hot_box(clone)
+    assert_refused(case, [FLUID, "'Cp'"], "grainFoam")
+    replace(case, FLUID, f"{CP} {KAPPA}", "")
+    assert_refused(case, [GRAINS, "'heat'"], "grainFoam")
+    replace(case, GRAINS, HEAT, "")
+    replace(case, GRAINS, "temperature 400;", "")
+    assert_refused(case, [GRAINS, "'heatTransfer'", "grainThermalFoam"], "grainFoam")

@@ -91,7 +91,8 @@ void Foam::unresolvedHeat::warn
         for (const cellOverlap& o : overlaps.of(graini))
         {
             const scalar Re =
-                fluid_.rho()[o.cell]*mag(U[o.cell] - motion.at(o.arm))
+                eps[o.cell]*fluid_.rho()[o.cell]
+               *mag(U[o.cell] - motion.at(o.arm))
                *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell];
             leastEps = min(leastEps, eps[o.cell]);
             mostRe = max(mostRe, Re);
@@ -105,7 +106,8 @@ void Foam::unresolvedHeat::warn
         hasWarned_ = true;
         WarningInFunction
             << "The law of coupling/heatTransfer was found for fluid fractions"
-            << " from " << tried.leastEps << " and Reynolds numbers up to "
+            << " from " << tried.leastEps
+            << " and superficial Reynolds numbers up to "
             << tried.mostRe << nl
             << "    here are a fluid fraction of " << leastEps
             << " and a Reynolds number of " << mostRe << " (said once)" << endl;

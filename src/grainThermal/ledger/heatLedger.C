@@ -149,6 +149,7 @@ void Foam::heatLedger::write()
         << c << grains_.motion().injected().heat
         << c << grains_.motion().removed().heat
         << c << heat_.broughtIn(fluid_) << c << fluidError_ << c << grainError_
-        << c << least << c << most << c << leastGrain << c << mostGrain
+        << c << least << c << most << c << min(leastGrain, mostGrain)
+        << c << mostGrain
         << c << (capacity > 0 ? grainHeat_/capacity : 0) << endl;
 }

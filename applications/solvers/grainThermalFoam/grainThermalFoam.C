@@ -22,6 +22,7 @@ Description
 #include "pisoControl.H"
 
 #include "adjustableTimeStep.H"
+#include "buoyantPatches.H"
 #include "carriedFields.H"
 #include "dictionaryInput.H"
 #include "fluidHeat.H"
@@ -80,6 +81,7 @@ int main(int argc, char *argv[])
                 flow.meshChanged();
                 heat.meshChanged(carried.flux());
                 steam.meshChanged(carried.flux());
+                fluid.correct();
                 carried.meshChanged();
                 ledger.meshChanged();
             }
@@ -87,7 +89,6 @@ int main(int argc, char *argv[])
 
         heatBooks.startStep(carried.flux());
         exchange.predict(fields.U);
-        fluid.correct();
 
         flow.startStep();
         flow.predict(piso.momentumPredictor());
@@ -103,6 +104,9 @@ int main(int argc, char *argv[])
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);
         steam.carry(carried.flux());
+
+        // As a restart will find it
+        fluid.correct();
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());

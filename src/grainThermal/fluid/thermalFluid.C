@@ -129,9 +129,9 @@ Foam::tmp<Foam::volScalarField> Foam::thermalFluid::muWithoutModel() const
 Foam::tmp<Foam::surfaceScalarField> Foam::thermalFluid::faceForce() const
 {
     return
-        beta_.value() == 0
-      ? tmp<surfaceScalarField>()
-      : weight_.force(rhoWeight_);
+        isBuoyant()
+      ? weight_.force(rhoWeight_)
+      : tmp<surfaceScalarField>();
 }
 
 

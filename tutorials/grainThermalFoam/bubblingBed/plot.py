@@ -12,8 +12,8 @@ WIDTH, HEIGHT, GAP = 0.08, 0.25, 0.015  # [m]
 COLD, HOT = 20.0, 90.0  # [degrees C]
 CELLS = (16, 24)  # of the means, in the lower 0.12 m
 TOP = 0.12
-# Cooling times [s] of a bed of one temperature at 1.54 m/s: by the gas alone; by plates and side walls
-# as far as the static bed wets them besides
+# Cooling times [s] of a bed of one temperature at 1.54 m/s: by the gas alone, and by the plates and
+# side walls, too, as far as the static bed wets them
 GAS, WALLS = 28.03, 12.55
 
 

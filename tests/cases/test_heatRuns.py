@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Heat in runs that stop and continue, on several ranks, of clusters and in cyclic boxes."""
+
+import numpy as np
+import pytest
+from grain_box import (
+    assert_same_grains,
+    control,
+    cyclic_box,
+    grain_box,
+    lattice,
+    replace,
+    run_whole_and_parts,
+)
+from heat_box import GRAINS, fix_grains, heat_ledger, with_heat
+from sphere_box import decompose
+
+CONTACTS = "conductivity 50; youngsModulus 1e9;"
+COLD = '"left|right|top" { type zeroGradient; } bottom { type fixedValue; value uniform 310; }'
+
+
+def settling(clone, name=None, radius=0.004, cells=10):
+    """Grains of 400 K that settle in colder water, and conduct heat where they touch."""
+    case = grain_box(clone, lattice(6, 4, 0.012, (0.02, 0.006)), radius, name=name)
+    if cells != 10:
+        replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+        case.run("blockMesh")
+    fluid = "Cp 1000; kappa 0.6; beta 2e-4; TRef 300;"
+    material = f"heatCapacity 800; {CONTACTS}"
+    with_heat(case, 300, 400, COLD, fluid=fluid, heat="conductance strip;", ofGlass=material)
+    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure")
+    replace(case, GRAINS, "density 7800;", f"density 7800; {CONTACTS}")
+    replace(case, GRAINS, "        material    steel;", "        material steel; temperature 310;")
+    control(case, deltaT=1e-3, endTime=0.1, writeInterval=10)
+    return case
+
+
+def assert_books_close(case):
+    book = heat_ledger(case)
+    assert book["fluidError"].max() <= 1e-12
+    assert book["grainError"].max() <= 1e-12
+    assert book["leastT"].min() >= 300 - 1e-9
+    assert book["mostT"].max() <= 400 + 1e-9
+    assert book["leastGrainT"].min() >= 300 - 1e-9
+    assert book["mostGrainT"].max() <= 400 + 1e-9
+    return book
+
+
+# Cells of two diameters and a half, and of an eighth
+@pytest.mark.parametrize(("radius", "cells"), [(0.004, 10), (0.005, 40)], ids=["law", "resolved"])
+def test_restart_continues_exactly(clone, radius, cells):
+    whole, parts = (settling(clone, name, radius, cells) for name in ("whole", "parts"))
+    run_whole_and_parts(whole, parts, "grainThermalFoam", 0.05, 0.1)
+    assert_same_grains(whole, parts)
+    time = whole.times[-1]
+    for name in ("T", "U", "p_rgh"):
+        np.testing.assert_array_equal(whole.field(name, time), parts.field(name, time))
+    book = assert_books_close(whole)
+    assert np.abs(book["walls"]).max() > 0
+
+
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_ranks_agree(clone, ranks):
+    one, several = settling(clone, "one"), settling(clone, "several")
+    one.run("grainThermalFoam")
+    decompose(several, ranks)
+    several.parallel("grainThermalFoam", ranks)
+    several.run("reconstructPar")
+    time = one.times[-1]
+    # Linear solvers leave 1e-12 of what they solve for
+    np.testing.assert_allclose(one.field("T", time), several.field("T", time), atol=1e-6)
+    np.testing.assert_allclose(
+        one.grains()["temperature"], several.grains()["temperature"], atol=1e-6
+    )
+    assert_books_close(several)
+
+
+def test_cyclic_boxes_keep_their_heat(clone):
+    case = cyclic_box(clone, lattice(4, 4, 0.025, (0.003, 0.003)), 0.004)
+    patches = '"left|right|bottom|top" { type cyclic; }'
+    with_heat(case, 300, 400, patches)
+    (case.path / "constant/g").write_text(
+        (case.path / "constant/g").read_text().replace("(0 0 0)", "(0 -1 0)")
+    )
+    control(case, deltaT=1e-3, endTime=0.1, writeInterval=100)
+    case.run("grainThermalFoam")
+    book = assert_books_close(case)
+    total = book["fluidHeat"] + book["grainHeat"]
+    np.testing.assert_allclose(total, total[0], rtol=1e-12 * len(total))
+
+
+def test_steady_state_does_not_depend_on_the_time_step(clone):
+    """Of fixed grains, each in one cell, in a fluid between a hot and a cold wall."""
+    patches = (
+        "left { type fixedValue; value uniform 400; } right { type fixedValue; value uniform 300; }"
+        ' "bottom|top" { type zeroGradient; }'
+    )
+    found = []
+    for deltaT in (1e4, 1e5):
+        case = grain_box(clone, lattice(6, 6, 0.01, (0.025, 0.015)), 0.004, name=f"dt{deltaT:g}")
+        fix_grains(case)
+        with_heat(case, 350, 350, patches)
+        (case.path / "constant/g").write_text(
+            (case.path / "constant/g").read_text().replace("-9.81", "0")
+        )
+        control(case, deltaT=deltaT, endTime=200 * deltaT, writeInterval=200)
+        case.run("grainThermalFoam")
+        assert_books_close(case)
+        found.append(case.field("T", case.times[-1]))
+    assert found[0].max() > found[0].min() + 50
+    np.testing.assert_allclose(*found, rtol=1e-8)
+
+
+def test_pressure_without_gradient_at_walls_is_refused(clone):
+    case = settling(clone)
+    replace(case, "0/p_rgh", "fixedFluxPressure", "zeroGradient")
+    assert case.run("grainThermalFoam", check=False) != 0
+    for text in ("0/p_rgh", "zeroGradient", "allowed: fixedFluxPressure"):
+        assert text in case.log

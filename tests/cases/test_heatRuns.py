@@ -63,6 +63,8 @@ def test_restart_continues_exactly(clone, radius, cells):
 @pytest.mark.parametrize("ranks", [2, 4])
 def test_ranks_agree(clone, ranks):
     one, several = settling(clone, "one"), settling(clone, "several")
+    for case in (one, several):
+        control(case, endTime=0.02)
     one.run("grainThermalFoam")
     decompose(several, ranks)
     several.parallel("grainThermalFoam", ranks)

@@ -179,7 +179,18 @@ void Foam::fluidScalar::carry
 
     unaccounted_ = -gSum(oldVolume*T_.primitiveField());
     broughtIn_ = (1 - endShare_)*gSum(source*T_.primitiveField());
-    TEqn.solve(mesh.solverDict(T_.name()));
+    const solverPerformance done(TEqn.solve(mesh.solverDict(T_.name())));
+    if (!(done.finalResidual() < 1e-6))
+    {
+        FatalErrorInFunction
+            << "The solution of " << T_.name() << " at time "
+            << mesh.time().timeName() << " does not converge: residual "
+            << done.finalResidual() << " after " << done.nIterations()
+            << " iterations" << nl
+            << "    allowed: another solver, or more iterations, of '"
+            << T_.name() << "' in system/fvSolution; a run continues from the"
+            << " last complete time" << exit(FatalError);
+    }
 
     unaccounted_ +=
         integral(flux)

@@ -122,6 +122,7 @@ def test_documented_dictionaries_run(clone, application):
     case = grain_box(clone, [(0.05, 0.03), (0.03, 0.05)])
     if application == "grainThermalFoam":
         with_heat(case, T=290, grains=290)
+        replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure")
     for folder, names in {
         "system": ("controlDict", "fvSchemes", "fvSolution"),
         "constant": ("transportProperties",),

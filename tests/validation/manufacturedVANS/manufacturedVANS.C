@@ -92,9 +92,8 @@ int main(int argc, char *argv[])
     );
 
     transportFlux flux(eps, fvc::flux(eps*fields.U), fields.p_rgh);
-    dictionary diffusion;
-    diffusion.add("D", exactSolution::D);
-    fluidScalar T(mesh, "T", diffusion);
+    const dimensionedScalar D("D", dimViscosity, exactSolution::D);
+    fluidScalar T(mesh, "T");
 
     while (runTime.loop())
     {
@@ -117,7 +116,7 @@ int main(int argc, char *argv[])
                 mesh.C()[celli], runTime.value() - 0.5*runTime.deltaTValue()
             );
         }
-        T.carry(flux, source);
+        T.carry(flux, D*fvc::interpolate(flux.fraction()), {{}, source});
     }
 
     volVectorField exactU("exactU", fields.U);

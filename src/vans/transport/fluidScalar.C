@@ -180,7 +180,7 @@ void Foam::fluidScalar::carry
     unaccounted_ = -gSum(oldVolume*T_.primitiveField());
     broughtIn_ = (1 - endShare_)*gSum(source*T_.primitiveField());
     const solverPerformance done(TEqn.solve(mesh.solverDict(T_.name())));
-    if (!(done.finalResidual() < 1e-6))
+    if (!done.converged() && !(done.finalResidual() < 1e-6))
     {
         FatalErrorInFunction
             << "The solution of " << T_.name() << " at time "

@@ -106,7 +106,7 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     grainChecks<D>(properties, grains).requireTolerance();
     const bool good = printFaults(properties, grains);
 
-    if (grains.size() && transport.found("nu"))
+    if (grains.size() && (transport.found("nu") || transport.found("mu")))
     {
         printTimeStepInFluid(properties, grains, transport);
     }

@@ -75,6 +75,35 @@ Foam::tmp<Foam::volScalarField> Foam::resolvedHeat::grainOfCells() const
 }
 
 
+template<class Function>
+void Foam::resolvedHeat::forParts(const Function& f) const
+{
+    const scalarField& V = grains_.mesh().V();
+    if (!conducts_)
+    {
+        forAll(V, celli)
+        {
+            const label graini = resolved_.grainOf(celli);
+            if (graini >= 0)
+            {
+                f(celli, graini, V[celli]);
+            }
+        }
+        return;
+    }
+    for (label graini = 0; graini < grains_.size(); ++graini)
+    {
+        if (resolved_.isResolved(graini))
+        {
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                f(o.cell, graini, o.volume);
+            }
+        }
+    }
+}
+
+
 Foam::scalar Foam::resolvedHeat::capacity(const label graini) const
 {
     const scalar volume = grains_.volume(graini);
@@ -240,36 +269,19 @@ void Foam::resolvedHeat::add
     sumOverRanks(lockedVolume_);
     setFaces(kappa, cells.conductivity);
 
-    if (!conducts_)
-    {
-        forAll(mesh.V(), celli)
+    forParts
+    (
+        [&](const label celli, const label graini, const scalar volume)
         {
-            const label graini = resolved_.grainOf(celli);
-            if (graini >= 0)
-            {
-                cells.add
-                (
-                    celli, capacity(graini)/deltaT,
-                    grains_.temperatures().temperature(graini)
-                );
-            }
+            cells.add
+            (
+                celli, volume/mesh.V()[celli]*capacity(graini)/deltaT,
+                conducts_
+              ? T[celli]
+              : grains_.temperatures().temperature(graini)
+            );
         }
-        return;
-    }
-    for (label graini = 0; graini < grains_.size(); ++graini)
-    {
-        if (resolved_.isResolved(graini))
-        {
-            for (const cellOverlap& o : grains_.overlaps().of(graini))
-            {
-                cells.add
-                (
-                    o.cell, o.volume/mesh.V()[o.cell]*capacity(graini)/deltaT,
-                    T[o.cell]
-                );
-            }
-        }
-    }
+    );
 }
 
 
@@ -283,32 +295,13 @@ void Foam::resolvedHeat::addReceived
     {
         return;
     }
-    const fvMesh& mesh = grains_.mesh();
-    const grainTemperatures& grainT = grains_.temperatures();
-    if (!conducts_)
-    {
-        forAll(mesh.V(), celli)
+    forParts
+    (
+        [&](const label celli, const label graini, const scalar volume)
         {
-            const label graini = resolved_.grainOf(celli);
-            if (graini >= 0)
-            {
-                heat[graini] +=
-                    capacity(graini)*mesh.V()[celli]
-                   *(T[celli] - grainT.temperature(graini));
-            }
+            heat[graini] +=
+                capacity(graini)*volume
+               *(T[celli] - grains_.temperatures().temperature(graini));
         }
-        return;
-    }
-    for (label graini = 0; graini < grains_.size(); ++graini)
-    {
-        if (resolved_.isResolved(graini))
-        {
-            for (const cellOverlap& o : grains_.overlaps().of(graini))
-            {
-                heat[graini] +=
-                    capacity(graini)*o.volume
-                   *(T[o.cell] - grainT.temperature(graini));
-            }
-        }
-    }
+    );
 }

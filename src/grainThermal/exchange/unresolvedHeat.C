@@ -71,37 +71,17 @@ Foam::scalar Foam::unresolvedHeat::h
 }
 
 
-void Foam::unresolvedHeat::warn
-(
-    const volScalarField& eps,
-    const volVectorField& U
-)
+void Foam::unresolvedHeat::warn(heatLaw::range used)
 {
     if (hasWarned_)
     {
         return;
     }
-    const heatLaw::range tried(law_->tried());
-    const overlapList& overlaps = grains_.overlaps();
-    scalar leastEps = 1;
-    scalar mostRe = 0;
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
-    {
-        const grainMotion::twist motion(grains_.motion().motion(graini));
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            const scalar Re =
-                eps[o.cell]*fluid_.rho()[o.cell]
-               *mag(U[o.cell] - motion.at(o.arm))
-               *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell];
-            leastEps = min(leastEps, eps[o.cell]);
-            mostRe = max(mostRe, Re);
-        }
-    }
-    reduce(leastEps, minOp<scalar>());
-    reduce(mostRe, maxOp<scalar>());
+    reduce(used.leastEps, minOp<scalar>());
+    reduce(used.mostRe, maxOp<scalar>());
 
-    if (leastEps < tried.leastEps || mostRe > tried.mostRe)
+    const heatLaw::range tried(law_->tried());
+    if (used.leastEps < tried.leastEps || used.mostRe > tried.mostRe)
     {
         hasWarned_ = true;
         WarningInFunction
@@ -109,8 +89,9 @@ void Foam::unresolvedHeat::warn
             << " from " << tried.leastEps
             << " and superficial Reynolds numbers up to "
             << tried.mostRe << nl
-            << "    here are a fluid fraction of " << leastEps
-            << " and a Reynolds number of " << mostRe << " (said once)" << endl;
+            << "    here are a fluid fraction of " << used.leastEps
+            << " and a Reynolds number of " << used.mostRe << " (said once)"
+            << endl;
     }
 }
 
@@ -128,7 +109,7 @@ void Foam::unresolvedHeat::add
     const scalar deltaT = grains_.mesh().time().deltaTValue();
     const scalarField& V = grains_.mesh().V();
 
-    warn(eps, U);
+    heatLaw::range used{1, 0};
     scalarField coefficient(V.size(), Zero);
     scalarField given(V.size(), Zero);
     transfer_.resize(overlaps.size());
@@ -148,6 +129,14 @@ void Foam::unresolvedHeat::add
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
+            const scalar slip = mag(U[o.cell] - motion.at(o.arm));
+            used.leastEps = min(used.leastEps, eps[o.cell]);
+            used.mostRe = max
+            (
+                used.mostRe,
+                eps[o.cell]*fluid_.rho()[o.cell]*slip
+               *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell]
+            );
             const implicitTransfer<scalar>& t = transfer_[o.index] =
                 transfer
                 (
@@ -156,7 +145,7 @@ void Foam::unresolvedHeat::add
                         graini,
                         o,
                         max(eps[o.cell], exchangeFields::epsMin),
-                        mag(U[o.cell] - motion.at(o.arm)),
+                        slip,
                         own
                     ),
                     deltaT, C, T
@@ -166,6 +155,7 @@ void Foam::unresolvedHeat::add
             given[o.cell] += ha*T;
         }
     }
+    warn(used);
     grains_.voidFraction().smooth(coefficient);
     grains_.voidFraction().smooth(given);
     cells.coefficient += coefficient;

@@ -50,9 +50,14 @@ void Foam::checkTransportProperties
 }
 
 
-void Foam::checkPISO(const dictionary& fvSolution, const wordList& others)
+void Foam::checkPISO
+(
+    const dictionary& fvSolution,
+    const wordList& others,
+    const word& name
+)
 {
-    const dictionary& dict = dictionaryInput::subDict(fvSolution, "PISO");
+    const dictionary& dict = dictionaryInput::subDict(fvSolution, name);
 
     wordList allowed
     ({

@@ -191,7 +191,11 @@ void Foam::adjustableTimeStep::warnOnce(const surfaceScalarField& phiU)
 }
 
 
-void Foam::adjustableTimeStep::set(const surfaceScalarField& phiU)
+void Foam::adjustableTimeStep::set
+(
+    const surfaceScalarField& phiU,
+    const std::vector<namedLimit>& more
+)
 {
     const limits given(time_.controlDict());
     if (!given.adjusts)
@@ -204,8 +208,8 @@ void Foam::adjustableTimeStep::set(const surfaceScalarField& phiU)
     const scalar last = grains_.motion().lastTimeStep();
     const scalar before = last > 0 ? last : time_.deltaTValue();
 
-    const std::pair<const char*, scalar> all[] =
-    {
+    std::vector<namedLimit> all
+    ({
         {"maxCo", given.maxCo/max(courantOfFluid(phiU), VSMALL)},
         {"maxGrainCo", given.maxGrainCo/max(courantOfGrains(), VSMALL)},
         {
@@ -213,7 +217,8 @@ void Foam::adjustableTimeStep::set(const surfaceScalarField& phiU)
             displacementLimit(given.maxGrainDisplacement)
         },
         {"maxDeltaT", given.maxDeltaT}
-    };
+    });
+    all.insert(all.end(), more.begin(), more.end());
 
     Info<< nl << "Limits of deltaT:";
     const char* governing = "";

@@ -9,6 +9,50 @@
 #include "surfaceInterpolate.H"
 #include "vansTurbulence.H"
 
+void Foam::carriedFields::readScalars
+(
+    const fvMesh& mesh,
+    const dictionary& transportProperties
+)
+{
+    if (!transportProperties.found("scalars"))
+    {
+        return;
+    }
+    const dictionary& dict =
+        dictionaryInput::subDict(transportProperties, "scalars");
+    for (const word& name : dict.toc())
+    {
+        const dictionary& entries = dictionaryInput::subDict(dict, name);
+        dictionaryInput::checkKeywords(entries, {"D"});
+        D_.append
+        (
+            dictionaryInput::getScalarOrDefault
+            (
+                entries, "D", dimViscosity, 0, 0
+            )
+        );
+        scalars_.append(new fluidScalar(mesh, name));
+    }
+}
+
+
+void Foam::carriedFields::setFlux
+(
+    const vansFields& fields,
+    const volScalarField& eps
+)
+{
+    flux_.reset
+    (
+        new transportFlux
+        (
+            eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh
+        )
+    );
+}
+
+
 Foam::carriedFields::carriedFields
 (
     const vansFields& fields,
@@ -17,37 +61,29 @@ Foam::carriedFields::carriedFields
     const bool isMore
 )
 {
-    const fvMesh& mesh = eps.mesh();
-    if (fluid.properties().found("scalars"))
-    {
-        const dictionary& dict =
-            dictionaryInput::subDict(fluid.properties(), "scalars");
-        for (const word& name : dict.toc())
-        {
-            const dictionary& entries = dictionaryInput::subDict(dict, name);
-            dictionaryInput::checkKeywords(entries, {"D"});
-            D_.append
-            (
-                dictionaryInput::getScalarOrDefault
-                (
-                    entries, "D", dimViscosity, 0, 0
-                )
-            );
-            scalars_.append(new fluidScalar(mesh, name));
-        }
-    }
-    const bool isTurbulent = vansTurbulence::isSelected(mesh);
+    readScalars(eps.mesh(), fluid.properties());
+
+    const bool isTurbulent = vansTurbulence::isSelected(eps.mesh());
     if (isTurbulent || isMore || scalars_.size())
     {
-        flux_.reset(new transportFlux
-            (
-                eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh
-            ));
+        setFlux(fields, eps);
     }
     if (isTurbulent)
     {
         turbulence_.reset(new vansTurbulence(fields, *flux_, fluid));
     }
+}
+
+
+Foam::carriedFields::carriedFields
+(
+    const vansFields& fields,
+    const volScalarField& eps,
+    const dictionary& transportProperties
+)
+{
+    readScalars(eps.mesh(), transportProperties);
+    setFlux(fields, eps);
 }
 
 
@@ -88,7 +124,8 @@ void Foam::carriedFields::meshChanged()
 void Foam::carriedFields::carry
 (
     const surfaceScalarField& share,
-    const scalarField& filled
+    const scalarField& filled,
+    const scalarField& weight
 )
 {
     const fvMesh& mesh = share.mesh();
@@ -97,7 +134,8 @@ void Foam::carriedFields::carry
         share,
         filled.size()
       ? scalarField(filled/mesh.time().deltaTValue())
-      : scalarField(mesh.nCells(), Zero)
+      : scalarField(mesh.nCells(), Zero),
+        weight
     );
     forAll(scalars_, i)
     {

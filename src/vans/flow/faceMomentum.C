@@ -12,18 +12,29 @@ namespace
 
 using namespace Foam;
 
+//- Before or after the last transport of the fluid
+tmp<volScalarField> leastInertia
+(
+    const stepCoefficients& step,
+    const volScalarField& rho
+)
+{
+    return min(step.inertia, step.eps*rho);
+}
+
+
 tmp<volScalarField> leastA
 (
     const stepCoefficients& step,
     const volScalarField& rho
 )
 {
-    const dimensionedScalar& deltaT = rho.time().deltaT();
+    tmp<volScalarField> tleast(leastInertia(step, rho)/rho.time().deltaT());
     if (step.wallDrag.valid())
     {
-        return step.eps*(rho/deltaT + step.wallDrag());
+        return tleast + step.eps*step.wallDrag();
     }
-    return step.eps*(rho/deltaT);
+    return tleast;
 }
 
 
@@ -45,7 +56,7 @@ tmp<surfaceScalarField> changeOfOldFlux
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
         return
-            fvc::interpolate(step.eps*rho/(A*deltaT))
+            fvc::interpolate(leastInertia(step, rho)/(A*deltaT))
            *(phiU.oldTime() - fvc::flux(U.oldTime()))/deltaT;
     }
     return fvc::ddtCorr(U, phiU);
@@ -81,7 +92,7 @@ Foam::faceMomentum::faceMomentum
 {
     resolved.startCorrections
     (
-        rho*step.eps/rho.time().deltaT(), A, step.betaf, rAUf
+        leastInertia(step, rho)/rho.time().deltaT(), A, step.betaf, rAUf
     );
     mobility = rAUf + fvc::interpolate(grains.K);
     diffusivity = mobility;

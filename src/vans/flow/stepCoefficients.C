@@ -82,6 +82,8 @@ Foam::stepCoefficients::stepCoefficients
     phib("phib", fvc::flux(bByShare)),
     betaf("betaf", fvc::interpolate(betaByShare)),
     phiEps(throughFaces(epsOpen/alpha, epsOpen, phiAlpha)),
+    inertia("inertia", fluid.inertia(eps)),
+    massFlux(fluid.massFlux(eps, phiEps)),
     mu("muEff", fluid.muStress()*viscosity.ratio(epsOpen)),
     muf("muf", fvc::interpolate(mu)),
     wallDrag(fluid.wallDrag()),

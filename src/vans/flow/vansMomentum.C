@@ -38,12 +38,12 @@ Foam::tmp<Foam::volScalarField> ddtOfOne(const Foam::volVectorField& U)
 
 Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 {
-    const surfaceScalarField& phi = step_->phiEps;
+    const surfaceScalarField& flux = step_->massFlux;
     const volVectorField& U = fields_.U;
 
     return
         (1 - resolved_.locked()())
-       *(fluid_.rho()*(fvm::div(phi, U) - fvm::Sp(fvc::div(phi), U)));
+       *(fvm::div(flux, U) - fvm::Sp(fvc::div(flux), U));
 }
 
 
@@ -67,7 +67,7 @@ void Foam::vansFlow::setMomentumEquation()
     (
         new fvVectorMatrix
         (
-            rho*step.eps*fvm::ddt(U)
+            step.inertia*fvm::ddt(U)
           + convection()
           - fvm::laplacian(step.muf*resolved_.conductance(), U)
           - divTau()
@@ -85,7 +85,7 @@ void Foam::vansFlow::setMomentumEquation()
     if (mesh_.moving())
     {
         // A cell whose volume changes keeps its velocity
-        UEqn -= fvm::Sp(rho*step.eps*ddtOfOne(U), U);
+        UEqn -= fvm::Sp(step.inertia*ddtOfOne(U), U);
     }
     if (options_.PtrList<fv::option>::size())
     {

@@ -54,7 +54,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
 Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
 (
     const surfaceScalarField& phiHbyA,
-    pisoControl& control
+    pimpleControl& control
 )
 {
     const faceMomentum& faces = *faces_;
@@ -125,7 +125,7 @@ void Foam::vansFlow::setPressure()
 }
 
 
-void Foam::vansFlow::correct(pisoControl& control)
+void Foam::vansFlow::correct(pimpleControl& control)
 {
     volVectorField& U = fields_.U;
     const volVectorField H("H", UEqn_->H());

@@ -141,7 +141,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::transportFlux::openPart() const
 Foam::scalarField Foam::transportFlux::lack
 (
     const surfaceScalarField& flux,
-    const scalarField& source
+    const scalarField& source,
+    const scalarField& weight
 )
 {
     const scalar deltaT = mesh_.time().deltaTValue();
@@ -158,7 +159,18 @@ Foam::scalarField Foam::transportFlux::lack
     if (X_.needReference())
     {
         const scalar excess = gSum(result);
-        const scalarField spread(excess/gSum(room)*room);
+        scalarField spread(room);
+        if (weight.size())
+        {
+            spread *= weight;
+        }
+        scalar total = gSum(spread);
+        if (total < least*gSum(room))
+        {
+            spread = room;
+            total = gSum(room);
+        }
+        spread *= excess/total;
         result -= spread;
         source_ += spread/mesh_.V().field();
         withoutRoom_ = -excess*deltaT;
@@ -177,7 +189,8 @@ Foam::scalar Foam::transportFlux::defectOf(const scalarField& lack) const
 void Foam::transportFlux::set
 (
     const surfaceScalarField& share,
-    const scalarField& source
+    const scalarField& source,
+    const scalarField& weight
 )
 {
     // Of the volume of a cell
@@ -198,7 +211,7 @@ void Foam::transportFlux::set
         isShareLost_ = false;
     }
     const surfaceScalarField predicted("predicted", F_);
-    scalarField missing(lack(F_, source));
+    scalarField missing(lack(F_, source, weight));
 
     // Corrections of the correction take away what the linear solver left
     scalarField X(X_.primitiveField());
@@ -232,7 +245,7 @@ void Foam::transportFlux::set
         {
             X = X_.primitiveField();
         }
-        missing = lack(F_, source);
+        missing = lack(F_, source, weight);
         defect_ = defectOf(missing);
         X_.primitiveFieldRef() = 0;
         X_.correctBoundaryConditions();

@@ -1,0 +1,30 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "twoFluidControls.H"
+
+#include "dictionaryInput.H"
+#include "fluidInput.H"
+#include "fvMesh.H"
+#include "vansTurbulence.H"
+
+void Foam::checkTwoFluidControls(const fvMesh& mesh)
+{
+    checkPISO
+    (
+        mesh.solutionDict(), {"nOuterCorrectors", "correctPhi"}, "PIMPLE"
+    );
+    const dictionary& dict = mesh.solutionDict().subDict("PIMPLE");
+    dictionaryInput::getLabelOrDefault(dict, "nOuterCorrectors", 1, 1, 1);
+
+    refuseFiles(mesh.time(), {"MRFProperties"});
+    if (vansTurbulence::isSelected(mesh))
+    {
+        FatalErrorInFunction
+            << "constant/turbulenceProperties: turbulence of two fluids with"
+            << " grains is not in this solver" << nl
+            << "    allowed: simulationType laminar" << exit(FatalError);
+    }
+}

@@ -1,0 +1,280 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "phaseFraction.H"
+
+#include "CMULES.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "gaussConvectionScheme.H"
+#include "upwind.H"
+
+Foam::phaseFraction::phaseFraction
+(
+    twoFluids& fluid,
+    const volScalarField& eps,
+    const dimensionedVector& g
+)
+:
+    fluid_(fluid),
+    continued_(eps.mesh(), g.value()),
+    nCorr_(readControl(fluid.alpha(), "nAlphaCorr", 1)),
+    nSubCycles_(readControl(fluid.alpha(), "nAlphaSubCycles", 1)),
+    liquid_(0),
+    unaccounted_(0),
+    broughtIn_(0),
+    range_(0, 0)
+{
+    checkControls(fluid.alpha());
+    eps.mesh().setFluxRequired(fluid.alpha().name());
+    continued_.start(fluid.alpha(), eps);
+    continued_.apply(fluid.alpha());
+    fluid.correct();
+    fluid.correctSurface();
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::phaseFraction::gas() const
+{
+    return pos(1e-6 - fluid_.alpha().primitiveField());
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::carryUpwind
+(
+    const transportFlux& flux,
+    const scalarField& before,
+    const scalar deltaT
+)
+{
+    volScalarField& alpha = fluid_.alpha();
+    const fvMesh& mesh = alpha.mesh();
+    const surfaceScalarField& F = flux.flux();
+
+    // With the volume that the faces leave in a cell at the end of the step, which
+    // its fraction has to 1e-12: a small cell's row adds up to what was in it
+    tmp<fvScalarMatrix> tequation
+    (
+        fv::gaussConvectionScheme<scalar>
+        (
+            mesh, F, tmp<surfaceInterpolationScheme<scalar>>
+            (
+                new upwind<scalar>(mesh, F)
+            )
+        ).fvmDiv(F, alpha)
+    );
+    fvScalarMatrix& equation = tequation.ref();
+    equation.diag() +=
+        before/deltaT
+      - fvc::surfaceIntegrate(F)().primitiveField()*mesh.V().field();
+    equation.source() += before/deltaT*alpha.primitiveField();
+
+    dictionary controls;
+    controls.add("solver", "smoothSolver");
+    controls.add("smoother", "symGaussSeidel");
+    controls.add("tolerance", 1e-15);
+    controls.add("relTol", 0);
+    controls.add("maxIter", 100);
+    equation.solve(controls);
+    return equation.flux();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::limitedFlux
+(
+    const surfaceScalarField& F
+) const
+{
+    const word scheme("div(phi,alpha)");
+    const word compression("div(phirb,alpha)");
+    const volScalarField& alpha = fluid_.alpha();
+    const fvMesh& mesh = alpha.mesh();
+
+    surfaceScalarField phir
+    (
+        fluid_.mixture().cAlpha()*mag(F/mesh.magSf())
+       *fluid_.mixture().nHatf()
+    );
+    for (fvsPatchScalarField& patch : phir.boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch == 0;
+        }
+    }
+    return
+        fvc::flux(F, alpha, scheme)
+      + fvc::flux
+        (
+           -fvc::flux(-phir, fluid_.mixture().alpha2(), compression),
+            alpha,
+            compression
+        );
+}
+
+
+void Foam::phaseFraction::correct
+(
+    const surfaceScalarField& F,
+    const volScalarField::Internal& fraction,
+    const scalar deltaT,
+    const scalar relaxation,
+    surfaceScalarField& alphaPhi
+)
+{
+    volScalarField& alpha = fluid_.alpha();
+    const surfaceScalarField limited(limitedFlux(F));
+    surfaceScalarField correction(limited - alphaPhi);
+    if (continued_.isAny())
+    {
+        correction *= continued_.openFaces();
+    }
+    MULES::limitCorr
+    (
+        1/deltaT, fraction, alpha, limited, correction,
+        zeroField(), zeroField(), oneField(), zeroField()
+    );
+    correction *= relaxation;
+    MULES::correct
+    (
+        1/deltaT, fraction, alpha, correction, zeroField(), zeroField()
+    );
+    alphaPhi += correction;
+    continued_.apply(alpha);
+}
+
+
+void Foam::phaseFraction::advance
+(
+    const transportFlux& flux,
+    const scalarField& before,
+    const scalarField& after,
+    const scalar deltaT,
+    surfaceScalarField& moved,
+    scalarField& filled
+)
+{
+    volScalarField& alpha = fluid_.alpha();
+    const volScalarField::Internal fraction
+    (
+        IOobject("fraction", alpha.time().timeName(), alpha.mesh()),
+        alpha.mesh(),
+        dimless,
+        after/alpha.mesh().V().field()
+    );
+
+    continued_.restore(alpha);
+    surfaceScalarField alphaPhi(carryUpwind(flux, before, deltaT));
+    filled += deltaT*flux.source()*alpha.primitiveField();
+    continued_.keep(alpha);
+    continued_.apply(alpha);
+    for (label i = 0; i < nCorr_; ++i)
+    {
+        fluid_.correctSurface();
+        correct(flux.flux(), fraction, deltaT, i == 0 ? 1 : 0.5, alphaPhi);
+    }
+    fluid_.correct();
+    moved += alphaPhi*dimensionedScalar("deltaT", dimTime, deltaT);
+}
+
+
+void Foam::phaseFraction::carry
+(
+    const transportFlux& flux,
+    const volScalarField& eps
+)
+{
+    volScalarField& alpha = fluid_.alpha();
+    const fvMesh& mesh = alpha.mesh();
+    const scalar deltaT = mesh.time().deltaTValue();
+    const scalarField& start = flux.oldVolume();
+    const scalarField end(flux.volume());
+    const scalarField massBefore
+    (
+        start*fluid_.rho().primitiveField()/mesh.V().field()
+    );
+    const scalar before = continued_.liquid(alpha, start);
+
+    surfaceScalarField moved
+    (
+        IOobject("alphaMoved", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimVolume, Zero)
+    );
+    moved.setOriented();
+    scalarField filled(mesh.nCells(), Zero);
+    continued_.update(alpha, eps);
+    for (label i = 0; i < nSubCycles_; ++i)
+    {
+        const scalar from = scalar(i)/nSubCycles_;
+        const scalar to = scalar(i + 1)/nSubCycles_;
+        advance
+        (
+            flux, (1 - from)*start + from*end, (1 - to)*start + to*end,
+            deltaT/nSubCycles_, moved, filled
+        );
+    }
+    fluid_.setMass
+    (
+        massBefore, flux.flux(), moved/dimensionedScalar("deltaT", dimTime, deltaT)
+    );
+
+    // A contact angle and the fraction at its wall follow each other: as often as
+    // in interFoam
+    fluid_.correctSurface();
+
+    liquid_ = continued_.liquid(alpha, end);
+    broughtIn_ = gSum(filled*mesh.V().field());
+    for (const fvsPatchScalarField& patch : moved.boundaryField())
+    {
+        if (!patch.coupled())
+        {
+            broughtIn_ -= gSum(patch);
+        }
+    }
+    unaccounted_ = liquid_ - before - broughtIn_;
+    range_ = continued_.range(alpha);
+}
+
+
+void Foam::phaseFraction::beforeMeshChange(const transportFlux& flux)
+{
+    continued_.restore(fluid_.alpha());
+    content_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "alphaContent", flux.flux().time().timeName(),
+                flux.flux().mesh()
+            ),
+            flux.fraction()*fluid_.alpha()
+        )
+    );
+}
+
+
+void Foam::phaseFraction::meshChanged
+(
+    const transportFlux& flux,
+    const volScalarField& eps
+)
+{
+    volScalarField& alpha = fluid_.alpha();
+    if (alpha.mesh().topoChanging())
+    {
+        alpha.primitiveFieldRef() =
+            content_().primitiveField()/flux.fraction().primitiveField();
+        continued_.start(alpha, eps);
+    }
+    continued_.apply(alpha);
+    alpha.correctBoundaryConditions();
+    content_.clear();
+    fluid_.meshChanged();
+    fluid_.correct();
+}

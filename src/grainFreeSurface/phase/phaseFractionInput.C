@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "phaseFraction.H"
+
+#include "dictionaryInput.H"
+#include "timeScheme.H"
+
+Foam::label Foam::phaseFraction::readControl
+(
+    const volScalarField& alpha,
+    const word& keyword,
+    const label deflt
+)
+{
+    return dictionaryInput::getLabelOrDefault
+    (
+        alpha.mesh().solverDict(alpha.name()), keyword, deflt, 1
+    );
+}
+
+
+void Foam::phaseFraction::checkControls(const volScalarField& alpha)
+{
+    const dictionary& dict = alpha.mesh().solverDict(alpha.name());
+    const auto demand = [&](const word& keyword, const bool allowed)
+    {
+        if (dict.getOrDefault(keyword, allowed) != allowed)
+        {
+            dictionaryInput::badValue
+            (
+                dict, keyword, dictionaryInput::written(dict, keyword),
+                allowed
+              ? "yes: cells that grains cut have no Courant limit of their own"
+              : "no"
+            );
+        }
+    };
+    demand("MULESCorr", true);
+    demand("alphaApplyPrevCorr", false);
+    for (const word keyword : {"icAlpha", "scAlpha"})
+    {
+        dictionaryInput::getScalarOrDefault(dict, keyword, dimless, 0, 0, 0);
+    }
+    dictionaryInput::getScalar(dict, "cAlpha", dimless, 0);
+    readControl(alpha, "nLimiterIter", 3);
+
+    if (isSecondOrderInTime(alpha.mesh()))
+    {
+        const dictionary& schemes =
+            alpha.mesh().schemesDict().subDict("ddtSchemes");
+        dictionaryInput::badValue
+        (
+            schemes, schemes.found("ddt(U)") ? "ddt(U)" : "default",
+            "backward", "Euler"
+        );
+    }
+}

@@ -35,6 +35,8 @@ def test_equals_inter_foam(clone, sigma, angle):
             set_contact_angle(case, angle)
             # Before the pressure's first solution gravity at such a wall is taken half a cell away
             case.dict_set("system/fvSolution", "PIMPLE/momentumPredictor", "no")
+        path = case.path / "system/fvSolution"
+        path.write_text(path.read_text().replace("1e-12", "1e-16"))
         end = steps - 1 if name == "before" else steps
         control(case, deltaT=1e-3, endTime=end * 1e-3, writeInterval=end)
         if name != "theirs":
@@ -44,12 +46,13 @@ def test_equals_inter_foam(clone, sigma, angle):
             case.run("interFoam")
         cases.append(case)
     ours, theirs, before = cases
-    speed = np.sqrt(9.81 * 0.061)
-    np.testing.assert_allclose(ours.field("U"), theirs.field("U"), rtol=0, atol=1e-8 * speed)
-    np.testing.assert_allclose(
-        ours.field("p_rgh"), theirs.field("p_rgh"), rtol=0, atol=1e-8 * 1000 * 9.81 * 0.061
-    )
-    np.testing.assert_allclose(
-        before.field("alpha.water"), theirs.field("alpha.water"), rtol=0, atol=1e-8
-    )
+    # Residuals of 1e-16; a contact line makes 2e-7 of a difference of 4e-13 after the first step
+    error = 1e-6 if angle else 1e-8
+    head, speed = 9.81 * 0.061, np.sqrt(9.81 * 0.061)
+    for case, name, unit in (
+        (ours, "U", speed), (ours, "p_rgh", 1000 * head), (before, "alpha.water", 1)
+    ):
+        np.testing.assert_allclose(
+            case.field(name), theirs.field(name), rtol=0, atol=error * unit, err_msg=name
+        )
     assert np.linalg.norm(ours.field("U"), axis=1).max() > 0.2 * speed

@@ -97,7 +97,10 @@ int main(int argc, char *argv[])
         (
             flow.fluidFlux(exchange.eps()), exchange.filled(), phase.gas()
         );
-        phase.carry(carried.flux(), exchange.eps());
+        phase.carry
+        (
+            carried.flux(), exchange.eps(), exchange.resolved().locked()
+        );
 
         ledger.endStep(fields.phi, fields.phiU);
         liquidBooks.endStep(fields.phiU);

@@ -90,6 +90,7 @@ void Foam::lockedGrains::setFreeMotion()
 void Foam::lockedGrains::update()
 {
     cells_.update();
+    ownForce_.clear();
     if (isActive())
     {
         setFreeMotion();
@@ -122,8 +123,7 @@ void Foam::lockedGrains::addInertia(exchangeFields& fields) const
 void Foam::lockedGrains::addToMomentum
 (
     fvVectorMatrix& UEqn,
-    const volScalarField& rho,
-    const surfaceScalarField& flux,
+    const surfaceScalarField& massFlux,
     const surfaceScalarField& mu
 ) const
 {
@@ -132,8 +132,8 @@ void Foam::lockedGrains::addToMomentum
         return;
     }
     UEqn +=
-        (1 - locked())*rho
-       *fvc::surfaceIntegrate(flux*cells_.faceExcess(UEqn.psi()));
+        (1 - locked())
+       *fvc::surfaceIntegrate(massFlux*cells_.faceExcess(UEqn.psi()));
     UEqn -= fvc::surfaceIntegrate
     (
         mu*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()*cells_.wallJump()

@@ -27,6 +27,8 @@ void Foam::lockedGrains::startCorrections
     inertia_ = fvc::interpolate((1 - locked())*inertia);
     hold_ = fvc::interpolate((1 - locked())*A) - inertia_();
     mobility_ = 1/(fvc::interpolate(A) + drag);
+    ownDrag_ = locked()*A;
+    ownForce_.clear();
     mobility = (1 - faces)*mobility + faces*mobility_();
 }
 
@@ -38,18 +40,19 @@ void Foam::lockedGrains::correctFlux
     const volVectorField& U,
     const surfaceScalarField& knownForce,
     surfaceScalarField& flux
-) const
+)
 {
     if (!isActive())
     {
         return;
     }
     const surfaceScalarField& faces = cells_.lockedFaces();
+    ownForce_ = locked()*AU;
     flux =
         (1 - faces)*flux
       + faces*mobility_()
        *(
-            fvc::flux(locked()*AU)
+            fvc::flux(ownForce_())
           + inertia_()*oldFlux
           + hold_()*cells_.bodyFlux(U)
           + knownForce
@@ -80,23 +83,36 @@ void Foam::lockedGrains::correctForce
         return;
     }
 
-    // The inertia that a locked cell's fluid would have is missing there
-    const volScalarField inertia
+    // The inertia that a locked cell would have of the fluid beside it is missing
+    // at their face
+    const surfaceScalarField fluidPart(fvc::interpolate(1 - locked()));
+    const surfaceScalarField full
     (
-        "lockedInertia", locked()*rho/mesh_.time().deltaT()
+        "fullInertia",
+        pos(fluidPart*(1 - fluidPart) - SMALL)
+       *fvc::interpolate((1 - locked())*rho)/max(fluidPart, scalar(SMALL))
+       *(flux - flux.oldTime())/mesh_.time().deltaT()
     );
-    const surfaceScalarField change(flux - flux.oldTime());
-    const surfaceScalarField missing(fvc::interpolate(inertia)*change);
-    force += inertia*fvc::reconstruct(change) - fvc::reconstruct(missing);
+    const surfaceScalarField missing((1 - fluidPart)*full);
+    force += locked()*fvc::reconstruct(full) - fvc::reconstruct(missing);
 
-    // Along the surface of a grain that is held the pressure goes on as it does
-    // in the fluid beside it; the grain takes the difference
-    if (grains_.motion().isFixed())
+    // What viscosity and rigidity do to a grain the fluid at its faces does not see
+    surfaceScalarField seen(faceForce - missing);
+    if (ownForce_.valid() && !grains_.motion().isFixed())
     {
+        const surfaceScalarField own
+        (
+            fvc::flux(ownForce_()) - fvc::interpolate(ownDrag_())*flux
+        );
+        seen -= own;
         force +=
-            (1 - 2*locked())
-           *fvc::reconstruct(cells_.continued(faceForce - missing));
+            ownForce_() - ownDrag_()*fvc::reconstruct(flux)
+          - fvc::reconstruct(own);
     }
+
+    // Along the surface of a grain the pressure goes on as it does in the fluid
+    // beside it; the grain takes the difference
+    force += (1 - 2*locked())*fvc::reconstruct(cells_.continued(seen));
 }
 
 

@@ -7,6 +7,8 @@
 
 #include "fvc.H"
 #include "gaussLaplacianScheme.H"
+#include "localMax.H"
+#include "localMin.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::continuedFraction::continuedFraction(const fvMesh& mesh, const vector& g)
@@ -31,16 +33,48 @@ Foam::continuedFraction::continuedFraction(const fvMesh& mesh, const vector& g)
 {}
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::weights() const
+Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::along() const
 {
     // Across levels only what has no neighbour along its own
     constexpr scalar across = 1e-9;
 
-    const surfaceScalarField along
+    return max
     (
-        max(1 - sqr((mesh_.Sf()/mesh_.magSf()) & down_), scalar(across))
+        1 - sqr((mesh_.Sf()/mesh_.magSf()) & down_), scalar(across)
     );
-    return along*mesh_.magSf();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
+(
+    const volScalarField& fraction,
+    const volScalarField& locked
+) const
+{
+    volScalarField volume
+    (
+        IOobject("fluidVolume", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimVolume,
+        zeroGradientFvPatchScalarField::typeName
+    );
+    volume.primitiveFieldRef() = fraction.primitiveField()*mesh_.V().field();
+    volume.correctBoundaryConditions();
+
+    tmp<surfaceScalarField> tswap
+    (
+        along()*localMax<scalar>(mesh_).interpolate(locked)
+       *localMin<scalar>(mesh_).interpolate(volume)
+       /(mesh_.time().deltaT()*mesh_.nonOrthDeltaCoeffs())
+    );
+    for (fvsPatchScalarField& patch : tswap.ref().boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch == 0;
+        }
+    }
+    return tswap;
 }
 
 
@@ -139,7 +173,7 @@ void Foam::continuedFraction::apply(volScalarField& alpha) const
     (
         fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
         (
-            weights(), mesh_.nonOrthDeltaCoeffs(), continued
+            along()*mesh_.magSf(), mesh_.nonOrthDeltaCoeffs(), continued
         )
     );
     labelList open(mesh_.nCells() - covered_.size());

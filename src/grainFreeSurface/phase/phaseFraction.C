@@ -11,6 +11,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "gaussConvectionScheme.H"
+#include "gaussLaplacianScheme.H"
 #include "upwind.H"
 
 Foam::phaseFraction::phaseFraction
@@ -47,6 +48,7 @@ Foam::tmp<Foam::scalarField> Foam::phaseFraction::gas() const
 Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::carryUpwind
 (
     const transportFlux& flux,
+    const surfaceScalarField& swap,
     const scalarField& before,
     const scalar deltaT
 )
@@ -68,6 +70,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::carryUpwind
         ).fvmDiv(F, alpha)
     );
     fvScalarMatrix& equation = tequation.ref();
+    equation -= fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+    (
+        swap, mesh.nonOrthDeltaCoeffs(), alpha
+    );
     equation.diag() +=
         before/deltaT
       - fvc::surfaceIntegrate(F)().primitiveField()*mesh.V().field();
@@ -151,6 +157,7 @@ void Foam::phaseFraction::correct
 void Foam::phaseFraction::advance
 (
     const transportFlux& flux,
+    const surfaceScalarField& swap,
     const scalarField& before,
     const scalarField& after,
     const scalar deltaT,
@@ -168,7 +175,7 @@ void Foam::phaseFraction::advance
     );
 
     continued_.restore(alpha);
-    surfaceScalarField alphaPhi(carryUpwind(flux, before, deltaT));
+    surfaceScalarField alphaPhi(carryUpwind(flux, swap, before, deltaT));
     filled += deltaT*flux.source()*alpha.primitiveField();
     continued_.keep(alpha);
     continued_.apply(alpha);
@@ -185,7 +192,8 @@ void Foam::phaseFraction::advance
 void Foam::phaseFraction::carry
 (
     const transportFlux& flux,
-    const volScalarField& eps
+    const volScalarField& eps,
+    const volScalarField& locked
 )
 {
     volScalarField& alpha = fluid_.alpha();
@@ -208,13 +216,14 @@ void Foam::phaseFraction::carry
     moved.setOriented();
     scalarField filled(mesh.nCells(), Zero);
     continued_.update(alpha, eps);
+    const surfaceScalarField swap(continued_.swap(flux.fraction(), locked));
     for (label i = 0; i < nSubCycles_; ++i)
     {
         const scalar from = scalar(i)/nSubCycles_;
         const scalar to = scalar(i + 1)/nSubCycles_;
         advance
         (
-            flux, (1 - from)*start + from*end, (1 - to)*start + to*end,
+            flux, swap, (1 - from)*start + from*end, (1 - to)*start + to*end,
             deltaT/nSubCycles_, moved, filled
         );
     }

@@ -91,7 +91,7 @@ void Foam::vansFlow::setMomentumEquation()
     {
         UEqn -= options_(rho, U);
     }
-    resolved_.addToMomentum(UEqn, rho, step.phiEps, step.muf);
+    resolved_.addToMomentum(UEqn, step.massFlux, step.muf);
     UEqn.relax();
     options_.constrain(UEqn);
 }

@@ -94,11 +94,14 @@ def to_two_fluids(case, densities=(WATER, AIR), sigma=0.0):
     path = case.path / "system/fvSolution"
     text = path.read_text().replace("PISO", "PIMPLE", 1)
     path.write_text(text.replace("p_rgh\n", ALPHA, 1))
-    replace(case, "0/p_rgh", "zeroGradient;", "fixedFluxPressure;\n        value uniform 0;")
+    path = case.path / "0/p_rgh"
+    path.write_text(
+        path.read_text().replace("zeroGradient;", "fixedFluxPressure; value uniform 0;")
+    )
 
 
-def set_water(case, water):
-    """0/alpha.water from the share of each cell."""
+def set_water(case, water, walls="zeroGradient"):
+    """0/alpha.water from the share of each cell, with a type of the walls' patches."""
     values = "\n".join(repr(float(v)) for v in water(*corners(case)))
     n = values.count("\n") + 1
     write(
@@ -106,7 +109,7 @@ def set_water(case, water):
         "0/alpha.water",
         "volScalarField",
         f"dimensions [0 0 0 0 0 0 0];\ninternalField nonuniform List<scalar> {n}\n(\n{values}\n);\n"
-        'boundaryField { "left|right|bottom|top" { type zeroGradient; }\n'
+        f'boundaryField {{ "left|right|bottom|top" {{ type {walls}; }}\n'
         "frontAndBack { type empty; } }\n",
     )
 

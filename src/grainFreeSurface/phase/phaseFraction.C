@@ -7,6 +7,7 @@
 
 #include "phaseFraction.H"
 
+#include "boundedCorrection.H"
 #include "CMULES.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -145,6 +146,7 @@ void Foam::phaseFraction::correct
         zeroField(), zeroField(), oneField(), zeroField()
     );
     correction *= relaxation;
+    boundCorrection(alpha, fraction, deltaT, correction);
     MULES::correct
     (
         1/deltaT, fraction, alpha, correction, zeroField(), zeroField()

@@ -10,6 +10,7 @@ import pytest
 from dry_box import dry_box
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
+from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
 
@@ -148,3 +149,25 @@ def test_documented_dictionaries_run(clone, application):
         set() if "problems" in written else {"problems"}
     )
     assert "maxGrainDisplacement" in case.log
+
+
+def test_documented_dictionaries_of_two_fluids_run(clone):
+    root = Path(__file__).resolve().parents[2]
+    case = water_box(clone, level(0.05), [(0.05, 0.03), (0.03, 0.08)])
+    for file in ("system/fvSchemes", "system/fvSolution", "constant/transportProperties"):
+        text = (root / "etc/caseDicts/grainInterFoam" / Path(file).name).read_text()
+        (case.path / file).write_text(text)
+    (case.path / "system/controlDict").write_text(
+        (root / "etc/caseDicts/controlDict").read_text().replace("grainFoam;", "grainInterFoam;")
+    )
+    (case.path / "0/dye").write_text(
+        "FoamFile { version 2.0; format ascii; class volScalarField; object dye; }\n"
+        "dimensions [0 0 0 0 0 0 0]; internalField uniform 1;\n"
+        'boundaryField { frontAndBack { type empty; } ".*" { type zeroGradient; } }\n'
+    )
+    case.run("checkGrains")
+    assert "In water:" in case.log and "In air:" in case.log
+    case.run("grainInterFoam")
+    assert case.times == ["0", "0.005", "0.01"]
+    assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12
+    assert "maxAlphaCo" in case.log and "maxCapillaryCo" in case.log

@@ -34,6 +34,8 @@ Description
 #include "passablePatches.H"
 #include "recommendedTimeStep.H"
 #include "thermalFluid.H"
+#include "twoFluidControls.H"
+#include "twoFluids.H"
 
 // The state at the start time or the initial grains
 template<int D>
@@ -67,6 +69,15 @@ void printTimeStepInFluid
     const dictionary& transport
 )
 {
+    if (transport.found("phases"))
+    {
+        for (const word& phase : transport.get<wordList>("phases"))
+        {
+            Info<< nl << "In " << phase << ':';
+            printTimeStepInFluid(properties, grains, transport.subDict(phase));
+        }
+        return;
+    }
     const autoPtr<dragLaw> drag
     (
         dragLaw::New
@@ -106,7 +117,14 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     grainChecks<D>(properties, grains).requireTolerance();
     const bool good = printFaults(properties, grains);
 
-    if (grains.size() && (transport.found("nu") || transport.found("mu")))
+    if
+    (
+        grains.size()
+     && (
+            transport.found("nu") || transport.found("mu")
+         || transport.found("phases")
+        )
+    )
     {
         printTimeStepInFluid(properties, grains, transport);
     }
@@ -139,7 +157,12 @@ int main(int argc, char *argv[])
             IOobject::NO_WRITE
         )
     );
-    if (transport.size())
+    if (transport.found("phases"))
+    {
+        twoFluids::check(mesh);
+        checkTwoFluidControls(mesh);
+    }
+    else if (transport.size())
     {
         checkFluidInput
         (

@@ -28,3 +28,10 @@ void Foam::checkTwoFluidControls(const fvMesh& mesh)
             << "    allowed: simulationType laminar" << exit(FatalError);
     }
 }
+
+
+void Foam::checkVoidFraction(const dictionary& coupling)
+{
+    const dictionary& dict = dictionaryInput::subDict(coupling, "voidFraction");
+    dictionaryInput::getWord(dict, "type", {"exactOverlap", "diffused"});
+}

@@ -39,6 +39,30 @@ void checkPhase(const dictionary& properties, const word& name)
 }
 
 
+void checkContactAngles(const volScalarField& alpha)
+{
+    for (const fvPatchScalarField& patch : alpha.boundaryField())
+    {
+        OStringStream text;
+        patch.write(text);
+        const dictionary dict(IStringStream(text.str())());
+        if (!dict.found("theta0"))
+        {
+            continue;
+        }
+        const scalar theta = dict.get<scalar>("theta0");
+        if (theta < 0 || theta > 180)
+        {
+            FatalErrorInFunction
+                << "Field " << alpha.objectPath() << ", boundaryField "
+                << patch.patch().name() << ": keyword 'theta0' has the value "
+                << theta << nl << "    allowed: an angle in degrees, 0 to 180"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void checkFraction(const fvMesh& mesh, const word& name)
 {
     // Differences of what setFields and mapFields write, and of ASCII
@@ -63,6 +87,7 @@ void checkFraction(const fvMesh& mesh, const word& name)
             << low << " to " << high << nl
             << "    allowed: a volume fraction, 0 to 1" << exit(FatalError);
     }
+    checkContactAngles(alpha);
 }
 
 }

@@ -40,14 +40,15 @@ void Foam::carriedFields::readScalars
 void Foam::carriedFields::setFlux
 (
     const vansFields& fields,
-    const volScalarField& eps
+    const volScalarField& eps,
+    const bool tracks
 )
 {
     flux_.reset
     (
         new transportFlux
         (
-            eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh
+            eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh, tracks
         )
     );
 }
@@ -66,7 +67,7 @@ Foam::carriedFields::carriedFields
     const bool isTurbulent = vansTurbulence::isSelected(eps.mesh());
     if (isTurbulent || isMore || scalars_.size())
     {
-        setFlux(fields, eps);
+        setFlux(fields, eps, false);
     }
     if (isTurbulent)
     {
@@ -83,7 +84,7 @@ Foam::carriedFields::carriedFields
 )
 {
     readScalars(eps.mesh(), transportProperties);
-    setFlux(fields, eps);
+    setFlux(fields, eps, true);
 }
 
 

@@ -52,16 +52,24 @@ Foam::transportFlux::transportFlux
 (
     const volScalarField& eps,
     const surfaceScalarField& share,
-    const volScalarField& p_rgh
+    const volScalarField& p_rgh,
+    const bool tracks
 )
 :
     mesh_(eps.mesh()),
     eps_(eps),
+    tracks_(tracks),
     fraction_
     (
-        IOobject("fluidFraction", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimless
+        IOobject
+        (
+            "fluidFraction",
+            mesh_.time().timeName(),
+            mesh_,
+            tracks ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            tracks ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+        ),
+        eps + least
     ),
     X_
     (
@@ -88,7 +96,6 @@ Foam::transportFlux::transportFlux
     correction_(0),
     withoutRoom_(0)
 {
-    fraction_ == eps + least;
     oldVolume_ = volume();
     mesh_.setFluxRequired(X_.name());
     if (isSecondOrderInTime(mesh_))
@@ -181,8 +188,9 @@ Foam::scalarField Foam::transportFlux::lack
 
 Foam::scalar Foam::transportFlux::defectOf(const scalarField& lack) const
 {
+    const scalarField& V = mesh_.V().field();
     return
-        gMax(mag(lack)/mesh_.V().field())*mesh_.time().deltaTValue();
+        gMax(mag(lack)/(tracks_ ? volume() : V))*mesh_.time().deltaTValue();
 }
 
 
@@ -193,8 +201,8 @@ void Foam::transportFlux::set
     const scalarField& weight
 )
 {
-    // Of the volume of a cell
-    constexpr scalar tolerance = 1e-12;
+    // Of the volume of a cell, or of the fluid in it
+    const scalar tolerance = tracks_ ? 1e-7 : 1e-12;
 
     fraction_.oldTime();
     fraction_ == eps_ + least;
@@ -252,6 +260,12 @@ void Foam::transportFlux::set
     }
     X_.primitiveFieldRef() = X;
     X_.correctBoundaryConditions();
+    if (tracks_)
+    {
+        fraction_.primitiveFieldRef() -=
+            missing*mesh_.time().deltaTValue()/mesh_.V().field();
+        fraction_.correctBoundaryConditions();
+    }
 
     correction_ =
         0.5*mesh_.time().deltaTValue()

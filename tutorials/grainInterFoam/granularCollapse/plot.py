@@ -13,6 +13,7 @@ G, DIAMETER = 9.81, 4.6e-3
 # R6) and of the thesis (table 5.1)
 CASES = {"1": (0.25, 0.19, 0.27), "2": (0.08, 0.65, 0.83), "3": (0.04, 1.39, 1.93)}
 SHOWN = ("0.2", "0.4", "0.8", "1.2")
+BEFORE_THE_END = 1.0  # [s], of the basin
 
 
 def front(case, depth):
@@ -52,7 +53,7 @@ def sheet(name, case, mesh):
     for ax, time in zip(rows[:, 0], shown, strict=True):
         alpha = grainplot.read_field(case, time, "alpha.water", len(mesh.polygons))
         grainplot.draw_cells(ax, mesh, alpha, lines=False, cmap="Blues", clim=(0, 1))
-        grainplot.draw_grains(ax, grainplot.read_grains(case, time), color="sienna", linewidths=0)
+        grainplot.draw_grains(ax, grainplot.read_grains(case, time), facecolors="sienna", linewidths=0)
         ax.set(title=f"t = {time} s", aspect="equal")
     figure.savefig(f"snapshots/case_{name}.png", dpi=110)
     plt.close(figure)
@@ -71,7 +72,7 @@ def main():
         Fr = fastest(times, x) / np.sqrt(G * depth)
         left.plot(times, (x - x[0]) / depth, label=f"case {name}")
 
-        written = [t for t in grainplot.times(case) if float(t) > 0]
+        written = [t for t in grainplot.times(case) if 0 < float(t) <= BEFORE_THE_END]
         crest = []
         for time in written:
             at, height = surface(case, mesh, time)

@@ -53,7 +53,8 @@ def sheet(name, case, mesh):
     for ax, time in zip(rows[:, 0], shown, strict=True):
         alpha = grainplot.read_field(case, time, "alpha.water", len(mesh.polygons))
         grainplot.draw_cells(ax, mesh, alpha, lines=False, cmap="Blues", clim=(0, 1))
-        grainplot.draw_grains(ax, grainplot.read_grains(case, time), facecolors="sienna", linewidths=0)
+        grains = grainplot.read_grains(case, time)
+        grainplot.draw_grains(ax, grains, facecolors="sienna", linewidths=0)
         ax.set(title=f"t = {time} s", aspect="equal")
     figure.savefig(f"snapshots/case_{name}.png", dpi=110)
     plt.close(figure)

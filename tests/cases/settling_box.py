@@ -35,10 +35,11 @@ def settling_box(
     start=(0.125, 0.375),
     fall=None,
     coupling="",
+    stretch=1,
     name=None,
 ):
     """The sphere of the tutorial singleGrain, `start` cells beside a corner of cells in the middle
-    of the box."""
+    of the box.  Cells are `stretch` times as long along the fall."""
     case = clone("tutorials/grainFoam/singleGrain", name or f"Re{Re}_cell{cell}")
     for source in ("constant", "system", "0.orig"):
         target = case.path / source.replace(".orig", "")
@@ -58,17 +59,18 @@ def settling_box(
 
     # Half a width from the ends of the box, what they do to the flow is a few per cent of what
     # the sides do
-    fall = fall or last_fall(cell) + 1.5 + min(Re, 10)
+    fall = fall or last_fall(cell * stretch) + 1.5 + min(Re, 10)
     n = round(width / cell)
-    height = -int(-(fall + max(width, 8)) // cell)
+    layers = -int(-(fall + max(width, 8)) // (cell * stretch))
+    height = layers * stretch
     # A sixth of a cell, and no more than a viscosity of Euler's scheme as large as the fluid's
     step = min(cell / 6, 2 / Re)
     steps = -int(-fall // step)
     (case.path / "parameters").write_text(
         f"""lateral ((1 {n} 1));
-vertical ((1 {height} 1));
+vertical ((1 {layers} 1));
 nx {n};
-ny {height};
+ny {layers};
 width {n * cell * D!r};
 height {height * cell * D!r};
 frame 0;
@@ -99,13 +101,14 @@ def settling_speed(case, cell):
     return last_fall(cell) / (t[-1] - np.interp(-before, -y, t))
 
 
-def speeds_of_places(clone, Re, cell, width, law):
+def speeds_of_places(clone, Re, cell, width, law, stretch=1):
     """Settling speeds by the ways through the cells, PLACES."""
     speeds = []
     for i, start in enumerate(PLACES):
-        case = settling_box(clone, Re, cell, width, law, start, name=f"{Re}_{cell}_{i}")
+        name = f"{Re}_{cell}_{i}"
+        case = settling_box(clone, Re, cell, width, law, start, stretch=stretch, name=name)
         case.run("grainFoam")
-        speeds.append(settling_speed(case, cell))
+        speeds.append(settling_speed(case, cell * stretch))
     return np.array(speeds)
 
 

@@ -23,6 +23,18 @@ def test_a_sphere_settles_at_the_law_speed_in_its_box(clone, Re, cell, width):
     assert mean == pytest.approx(speed_in_box(Re, width, DRAG[LAW](Re)), rel=bound)
 
 
+@pytest.mark.parametrize("cell, stretch, width, bound", [(2, 3, 12, 0.025), (4, 0.5, 20, 0.01)])
+def test_a_sphere_settles_at_the_law_speed_in_long_and_in_flat_cells(
+    clone, cell, stretch, width, bound
+):
+    """With cells taken for cubes of their volume it is 4.7 % too fast and 1.7 % too slow."""
+    Re = 10
+    speeds = speeds_of_places(clone, Re, cell, width, LAW, stretch)
+    mean = np.average(speeds, weights=list(PLACES.values()))
+    # In cubes it is 1.1 % too fast at h/d = 2 and 0.2 % at h/d = 4; as much again for the shape
+    assert mean == pytest.approx(speed_in_box(Re, width, DRAG[LAW](Re)), rel=bound)
+
+
 def test_the_speed_in_a_box_is_that_of_a_lattice():
     """4 zeta(1/2) beta(1/2), the sum of 1/n over a square lattice less its mean, at Re = 0; and no
     sides in a wide box."""

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from conftest import ROOT
 
-FAST = ["fixedBed", "hinderedSettling", "manufacturedVANS", "relaxation"]
+FAST = ["fixedBed", "hinderedSettling", "manufacturedVANS", "relaxation", "terminalVelocity"]
 
 
 @pytest.mark.parametrize("name", FAST)

@@ -11,6 +11,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
 (
     const grainSystem& grains,
     const scalarField& cellSize,
+    const symmTensorField& section,
     const scalarField& eps,
     const vectorField& U,
     const filteredFlow& filtered
@@ -27,6 +28,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
         {
             sum.volume += o.volume;
             sum.cellSize += o.volume*cellSize[o.cell];
+            sum.section += o.volume*section[o.cell];
             sum.ownShare += o.volume*o.volume/V[o.cell];
             sum.eps += o.volume*eps[o.cell];
             sum.filteredEps += o.volume*filtered.eps[o.cell];
@@ -41,6 +43,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
     {
         const scalar volume = max(mean.volume, VSMALL);
         mean.cellSize /= volume;
+        mean.section /= volume;
         mean.ownShare /= volume;
         mean.eps /= volume;
         mean.filteredEps /= volume;

@@ -40,10 +40,13 @@ Foam::undisturbedFlow::correction Foam::undisturbedFlow::correctionOf
         );
         result.length = std::cbrt(flow.volume/flow.ownShare);
         Lambda = selfInduced::inCells(grain.d/result.length);
+        const vector slip(flow.U - v);
+        const vector e(slip/max(mag(slip), VSMALL));
         result.lone = around.lone;
         result.slipFactor = selfInduced::slipFactor
         (
-            grain, flow.volume, around, Lambda, 0.3, mag(flow.U - v)
+            grain, flow.volume, around, Lambda, {0.3, e & flow.section & e},
+            mag(slip)
         );
     }
 
@@ -57,7 +60,7 @@ Foam::undisturbedFlow::correction Foam::undisturbedFlow::correctionOf
            *selfInduced::slipFactor
             (
                 grain, flow.volume, around,
-                selfInduced::inFilteredFlow(Lambda, width_), 0.15, filteredSlip
+                selfInduced::inFilteredFlow(Lambda, width_), {0.15, 1}, filteredSlip
             );
         result.coefficient =
             coefficient(flow, v, grain, result.eps, result.slip);

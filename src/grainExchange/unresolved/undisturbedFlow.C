@@ -5,6 +5,7 @@
 
 #include "undisturbedFlow.H"
 
+#include "cellSections.H"
 #include "cellSizes.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
@@ -28,6 +29,7 @@ Foam::undisturbedFlow::undisturbedFlow
     ),
     gradientOnGrains_(gradientOnGrains),
     cellSize_(cellSizes(mesh_)),
+    section_(cellSections(mesh_)),
     cellSizeRange_(gMin(cellSize_), gMax(cellSize_)),
     exact_(grains.voidFraction().resolves()),
     isActive_(false),
@@ -55,6 +57,7 @@ Foam::undisturbedFlow::undisturbedFlow
 void Foam::undisturbedFlow::meshChanged()
 {
     cellSize_ = cellSizes(mesh_);
+    section_ = cellSections(mesh_);
     cellSizeRange_ = Pair<scalar>(gMin(cellSize_), gMax(cellSize_));
 }
 
@@ -150,7 +153,10 @@ void Foam::undisturbedFlow::set
     }
     const List<flowAround> flows
     (
-        flowAroundGrains(grains, cellSize_, eps, U, filtered(eps, U, d))
+        flowAroundGrains
+        (
+            grains, cellSize_, section_, eps, U, filtered(eps, U, d)
+        )
     );
     const scalarField rho(meanOverGrains(grains, fluid.rho()));
     const scalarField mu(meanOverGrains(grains, fluid.mu()));

@@ -10,6 +10,7 @@
 #include "weightOnFaces.H"
 
 #include "fvc.H"
+#include "pisoControl.H"
 
 using namespace Foam;
 

@@ -117,7 +117,8 @@ def channel(clone, name):
     for patch, kind in kinds.items():
         case.dict_set("constant/polyMesh/boundary", f"entry0/{patch}/type", kind)
     stream = f"left {{ type fixedValue; value uniform ({speed} 0 0); }}"
-    replace(case, "0/U", '"left|right|bottom|top"', f'{stream} right {{ type zeroGradient; }} "bottom|top"')
+    stream += " right { type zeroGradient; }"
+    replace(case, "0/U", '"left|right|bottom|top"', f'{stream} "bottom|top"')
     out = "right { type fixedValue; value uniform 0; }"
     replace(case, "0/p_rgh", '"left|right|bottom|top"', f'{out} "left|bottom|top"')
     replace(case, GRAINS, "(left right bottom top)", "(bottom top left)")

@@ -239,6 +239,12 @@ TABLE = [
         swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; maxDeltaT -1;"),
         [CONTROL, "'maxDeltaT'", "value -1", "> 0"],
     ),
+    ("hugeG", swap("constant/g", "-9.81", "-1e200"), ["constant/g", "(0 -1e+200 0)", "1e15"]),
+    (
+        "sweepsNotWhole",
+        swap(GRAINS, "200", "2.5"),
+        [GRAINS, "'maxSweeps'", "value 2.5", "a whole number"],
+    ),
     ("maxSweeps", swap(GRAINS, "200", "0"), [GRAINS, "'maxSweeps'", "value 0", ">= 1"]),
     (
         "blocks",

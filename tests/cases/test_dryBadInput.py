@@ -254,6 +254,38 @@ TABLE = [
         injection(f"{BOX}\n#remove distribution\n{SIEVE}"),
         ["'passing'", "value 3", "fractions that rise from 0 to 1"],
     ),
+    (
+        "motionTooFast",
+        motion("type translation; velocity (0 1e200 0);"),
+        ["'velocity'", "( 0 1e+200 0 )", "components up to 1e15"],
+    ),
+    (
+        "freeWallTooFast",
+        motion("type free; mass 1; centre (0 0 0); velocity (0 1e200 0);"),
+        ["'velocity'", "( 0 1e+200 0 )", "components up to 1e15"],
+    ),
+    (
+        "planeTooFar",
+        wall("type plane; point (0 -1e200 0); normal (0 1 0);"),
+        ["'point'", "( 0 -1e+200 0 )", "components up to 1e15"],
+    ),
+    (
+        "outletBoxOfWords",
+        section("outlets", "type box; box (0 0 0) (nan 1 1);"),
+        ["'box'", "nan", "two corners"],
+    ),
+    ("wallEmptyPatches", wall("type patches; patches ();"), ["other", "'patches'", "()", "left"]),
+    (
+        "patchOfTwoWalls",
+        wall("type patches; patches (left);"),
+        ["'patches'", "value left", "no other entry of 'walls'"],
+    ),
+    ("injectionTooFast", injection(f"{BOX} velocity (0 1e200 0);"), ["'velocity'", "1e+200"]),
+    (
+        "injectionSeed",
+        injection(f"{BOX} seed 1.5;"),
+        ["'seed'", "value 1.5", "a whole number"],
+    ),
     ("outletNoBox", section("outlets", "type box;"), ["'box' is missing", "two corners"]),
     ("injectionAll", injection(f"{BOX} total all;"), ["'total'", "all", "a value >= 0"]),
 ]

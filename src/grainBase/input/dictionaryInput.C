@@ -217,10 +217,17 @@ Foam::vector Foam::dictionaryInput::getVectorOrZero
     const word& keyword
 )
 {
-    return
-        dict.found(keyword)
-      ? getAs<vector>(dict, keyword, "a vector, as (0 0 1)")
-      : vector::zero;
+    const string allowed("a vector, as (0 0 1), of components up to 1e15");
+    if (!dict.found(keyword))
+    {
+        return Zero;
+    }
+    const vector value(getAs<vector>(dict, keyword, allowed));
+    if (cmptMax(cmptMag(value)) > 1e15)
+    {
+        badValue(dict, keyword, written(dict, keyword), allowed);
+    }
+    return value;
 }
 
 
@@ -261,7 +268,8 @@ Foam::label Foam::dictionaryInput::getLabel
     const label high
 )
 {
-    const label value = dict.get<label>(keyword);
+    const label value =
+        getAs<label>(dict, keyword, "a whole number of at most " + name(labelMax));
 
     if (value < low || value > high)
     {

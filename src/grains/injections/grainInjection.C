@@ -60,7 +60,7 @@ nscd::Vector<D> Foam::grainInjection<D>::readVelocity
         D == 2 ? "a vector in the plane of the mesh" : "a vector, as (0 0 1)"
     );
     const vector v(dictionaryInput::getAs<vector>(dict, "velocity", allowed));
-    if (!properties_.space().holds(v))
+    if (!properties_.space().holds(v) || cmptMax(cmptMag(v)) > 1e15)
     {
         OStringStream value;
         value << v;

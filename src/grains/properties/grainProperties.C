@@ -106,6 +106,13 @@ void Foam::grainProperties<D>::check() const
             << g_ << nl << "    allowed: a vector in the plane of the mesh"
             << exit(FatalError);
     }
+    if (cmptMax(cmptMag(g_)) > 1e15)
+    {
+        FatalErrorInFunction
+            << "Keyword 'value' of constant/g has the value " << g_ << nl
+            << "    allowed: components of at most 1e15 m/s^2"
+            << exit(FatalError);
+    }
 }
 
 

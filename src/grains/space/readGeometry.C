@@ -8,9 +8,34 @@
 #include "dictionaryInput.H"
 #include "OStringStream.H"
 
+namespace Foam
+{
 namespace
 {
-    const char* const allowedVector = "a vector, as (1 0 0)";
+
+//- Squares of larger numbers would be more than a number holds
+const scalar largest = 1e15;
+
+vector readVector
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& example
+)
+{
+    const string allowed(example + ", of components up to 1e15");
+    const vector v(dictionaryInput::getAs<vector>(dict, keyword, allowed));
+    if (cmptMax(cmptMag(v)) > largest)
+    {
+        dictionaryInput::badValue
+        (
+            dict, keyword, dictionaryInput::written(dict, keyword), allowed
+        );
+    }
+    return v;
+}
+
+}
 }
 
 
@@ -41,7 +66,18 @@ nscd::Box<D> Foam::readBox
             dict, "box", dictionaryInput::written(dict, "box"), allowed
         );
     }
-    const point first(is), second(is);
+    point first(Zero), second(Zero);
+    const string error
+    (
+        dictionaryInput::errorOf([&] { is >> first >> second; })
+    );
+    if (error.size() || max(mag(first), mag(second)) > largest)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "box", dictionaryInput::written(dict, "box"), allowed
+        );
+    }
     const nscd::Vector<D> a(space.fromSpace(first));
     const nscd::Vector<D> b(space.fromSpace(second));
     const nscd::Box<D> result{a.cwiseMin(b), a.cwiseMax(b)};
@@ -64,7 +100,7 @@ nscd::Vector<D> Foam::readDirection
     const grainSpace<D>& space
 )
 {
-    const vector v(dictionaryInput::getAs<vector>(dict, keyword, allowedVector));
+    const vector v(readVector(dict, keyword, "a vector, as (1 0 0)"));
     if (mag(v) < SMALL || !space.holds(v))
     {
         OStringStream value;
@@ -89,10 +125,7 @@ nscd::Vector<D> Foam::readPoint
     const grainSpace<D>& space
 )
 {
-    return space.fromSpace
-    (
-        dictionaryInput::getAs<point>(dict, keyword, "a point, as (0 0 1)")
-    );
+    return space.fromSpace(readVector(dict, keyword, "a point, as (0 0 1)"));
 }
 
 
@@ -118,7 +151,7 @@ nscd::Spin<D> Foam::readAxis
     const grainSpace<D>& space
 )
 {
-    const vector v(dictionaryInput::getAs<vector>(dict, "axis", allowedVector));
+    const vector v(readVector(dict, "axis", "a vector, as (1 0 0)"));
     if (mag(v) < SMALL || !space.holdsSpin(v))
     {
         OStringStream value;

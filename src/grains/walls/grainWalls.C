@@ -18,6 +18,8 @@ Foam::grainWalls<D>::grainWalls
 {
     wallPieceList<D> pieces;
     nscd::Walls<D> planes;
+    const polyMesh& mesh = space.mesh();
+    labelHashSet taken;
 
     for (const word& name : dict.toc())
     {
@@ -70,6 +72,17 @@ Foam::grainWalls<D>::grainWalls
             (
                 wall, {"type", "patches", "material", "motion", "temperature"}
             );
+            for (const label patchi : wallPieces::selectedPatches(wall, mesh))
+            {
+                if (!taken.insert(patchi))
+                {
+                    dictionaryInput::badValue
+                    (
+                        wall, "patches", mesh.boundaryMesh()[patchi].name(),
+                        "patches that no other entry of 'walls' has"
+                    );
+                }
+            }
             own = wallPieces::ofPatches(wall, space);
         }
         else

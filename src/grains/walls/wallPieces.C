@@ -34,6 +34,15 @@ Foam::labelList Foam::wallPieces::selectedPatches
         )
     );
 
+    if (names.empty())
+    {
+        dictionaryInput::badValue
+        (
+            dict, "patches", "()",
+            "one or more patches of the mesh "
+          + dictionaryInput::listed(patches.names())
+        );
+    }
     for (const wordRe& name : names)
     {
         const wordList all(patches.names());

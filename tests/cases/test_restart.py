@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import time
 
+import h5py
 import numpy as np
 import pytest
 from grain_box import (
@@ -257,3 +258,16 @@ def test_second_run_in_a_live_case_of_two_ranks_is_refused(clone):
     control(case, endTime=1e-3 + max(float(time) for time in case.times))
     case.parallel("grainFoam", 2)
     assert not (case.path / "grains.lock").exists()
+
+
+def test_state_with_two_grains_of_one_id_is_refused(clone):
+    case = grain_box(clone, [(0.03, 0.03), (0.06, 0.05)], RADIUS)
+    control(case, endTime=0.002, writeInterval=2)
+    case.run("grainFoam")
+    with h5py.File(case.path / "0.002/grains.h5", "r+") as state:
+        state["id"][1] = state["id"][0]
+    control(case, endTime=0.004)
+    assert case.run("grainFoam", check=False) == 1
+    for fragment in ("0.002/grains.h5", "two grains have the id 0"):
+        assert fragment in case.log
+    assert "printStack" not in case.log

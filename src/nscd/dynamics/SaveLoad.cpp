@@ -34,6 +34,13 @@ void checkState(const State<D>& state, const ContactTable& table, const Settings
     {
         throw std::runtime_error(file + ": " + error.what());
     }
+    auto ids = state.grains.id;
+    std::sort(ids.begin(), ids.end());
+    const auto twice = std::adjacent_find(ids.begin(), ids.end());
+    if (twice != ids.end())
+    {
+        throw std::runtime_error(file + ": two grains have the id " + std::to_string(*twice));
+    }
     for (const NamedImpulse<D>& impulse : state.impulses)
     {
         if (impulse.b < 0 && static_cast<std::size_t>(~impulse.b) >= walls)

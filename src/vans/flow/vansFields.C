@@ -26,6 +26,18 @@ Foam::IOobject at
     );
 }
 
+
+//- On all ranks
+bool isThere(const Foam::fvMesh& mesh, const Foam::word& name)
+{
+    using namespace Foam;
+    IOobject io(at(mesh, name, IOobject::READ_IF_PRESENT));
+    return returnReduce
+    (
+        io.typeHeaderOk<surfaceScalarField>(false), andOp<bool>()
+    );
+}
+
 }
 
 
@@ -35,7 +47,8 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     U(at(mesh, "U", IOobject::MUST_READ), mesh),
     phiU(at(mesh, "phiU", IOobject::READ_IF_PRESENT), fvc::flux(U)),
     phiAlpha(at(mesh, "phiAlpha", IOobject::READ_IF_PRESENT), phiU),
-    phi(at(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U))
+    phi(at(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U)),
+    areOfStep(isThere(mesh, "phiAlpha"))
 {
     dictionaryInput::checkDimensions(U, U.dimensions(), dimVelocity);
     dictionaryInput::checkDimensions(p_rgh, p_rgh.dimensions(), dimPressure);

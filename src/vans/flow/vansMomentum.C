@@ -105,13 +105,17 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
     // Where the drag differs between two cells the pressure has a kink at their
     // face: a cell sees the gradient on its own side, which is the face's, plus
     // what its own drag at the face's velocity is more than the face's.  Without
-    // grains it is the reconstruction of the face gradients.
+    // grains it is the reconstruction of the face gradients.  At the velocity of a
+    // flux that is made from U, through a cell that a fixed grain covers, the drag
+    // would be boundless: the gradient holds none of it yet.
     const stepCoefficients& step = *step_;
     const surfaceScalarField& phiAlpha = fields_.phiAlpha;
 
-    surfaceScalarField faceForce("faceForce", gradient - step.phib);
+    const scalar kinks = fields_.areOfStep ? 1 : 0;
+
+    surfaceScalarField faceForce("faceForce", gradient - kinks*step.phib);
     resolved_.correctFaceForce(faceForce);
-    faceForce += step.betaf*phiAlpha;
+    faceForce += kinks*step.betaf*phiAlpha;
 
     tmp<volVectorField> tforce
     (
@@ -121,7 +125,8 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
             step.share
            *(
                 fvc::reconstruct(faceForce)
-              + step.bByShare - step.betaByShare*fvc::reconstruct(phiAlpha)
+              + kinks*step.bByShare
+              - kinks*step.betaByShare*fvc::reconstruct(phiAlpha)
             )
         )
     );

@@ -101,6 +101,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     }
     fields_.phiAlpha = phiHbyA - faces.rAUf*tgradient();
     fields_.phiU = fvc::interpolate(1/step_->alpha)*fields_.phiAlpha;
+    fields_.areOfStep = true;
     return tgradient;
 }
 

@@ -49,10 +49,11 @@ Foam::scalar Foam::surfaceTimeStep::capillaryLimit() const
     scalar largest = 0;
     forAll(mesh.neighbour(), facei)
     {
+        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
         if
         (
-            surface[mesh.owner()[facei]] > 0
-         || surface[mesh.neighbour()[facei]] > 0
+            surface[P] > 0 || surface[N] > 0
+         || mag(fluid_.alpha()[P] - fluid_.alpha()[N]) > 0.01
         )
         {
             largest = max(largest, inverse[facei]);

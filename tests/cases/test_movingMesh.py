@@ -50,16 +50,19 @@ def test_a_uniform_stream_does_not_see_that_the_mesh_is_shaken(clone, radius, sc
 
 
 def test_grains_that_cross_cells_disturb_a_shaken_mesh_as_they_do_one_at_rest(clone):
-    """Sums of overlaps do not move as interpolated velocities do: 1.5 % of the speed at rest."""
+    """Sums of overlaps do not move as interpolated velocities do: 17 % of the speed at rest,
+    where grains fill half of the cells that they are in.  1.17 times that was measured; cells
+    are up to 1.5 times smaller than at rest."""
     grains = lattice(4, 3, 0.015, (0.03, 0.03))
     disturbed = []
     for shaken in (False, True):
         case = shaken_stream(clone, grains, 0.004, shaken)
         case.path = case.path.rename(case.path.with_name(f"shaken{shaken}"))
+        control(case, writeInterval=2)
         case.run("grainFoam")
-        disturbed.append(np.abs(case.field("U", case.times[-1])[:, 1] - SPEED).max())
-    # Cells are up to a third smaller than at rest
-    assert disturbed[1] <= 2 * disturbed[0]
+        moments = [np.abs(case.field("U", t)[:, 1] - SPEED).max() for t in case.times[1:]]
+        disturbed.append(np.mean(moments))
+    assert disturbed[1] <= 1.5 * disturbed[0]
 
 
 REFINEMENT = """

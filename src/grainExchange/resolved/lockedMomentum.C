@@ -6,6 +6,7 @@
 #include "lockedGrains.H"
 
 #include "fvc.H"
+#include "zeroGradientFvPatchFields.H"
 
 void Foam::lockedGrains::startCorrections
 (
@@ -70,6 +71,37 @@ void Foam::lockedGrains::correctFaceForce(surfaceScalarField& force) const
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::lockedGrains::densityBeside
+(
+    const surfaceScalarField& fluidPart
+) const
+{
+    volScalarField density
+    (
+        IOobject("lockedDensity", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimDensity, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(density, celli)
+    {
+        const label graini = cells_.grain(celli);
+        if (graini >= 0)
+        {
+            density[celli] = grains_.motion().density(graini);
+        }
+    }
+    density.correctBoundaryConditions();
+    return
+        max
+        (
+            fvc::interpolate(density),
+            dimensionedScalar("least", dimDensity, VSMALL)
+        )
+       /max(1 - fluidPart, scalar(SMALL));
+}
+
+
 void Foam::lockedGrains::correctForce
 (
     const surfaceScalarField& faceForce,
@@ -86,33 +118,52 @@ void Foam::lockedGrains::correctForce
     // The inertia that a locked cell would have of the fluid beside it is missing
     // at their face
     const surfaceScalarField fluidPart(fvc::interpolate(1 - locked()));
+    const surfaceScalarField beside
+    (
+        "beside", pos(fluidPart*(1 - fluidPart) - SMALL)
+    );
+    const surfaceScalarField rhoBeside
+    (
+        fvc::interpolate((1 - locked())*rho)/max(fluidPart, scalar(SMALL))
+    );
     const surfaceScalarField full
     (
         "fullInertia",
-        pos(fluidPart*(1 - fluidPart) - SMALL)
-       *fvc::interpolate((1 - locked())*rho)/max(fluidPart, scalar(SMALL))
-       *(flux - flux.oldTime())/mesh_.time().deltaT()
+        beside*rhoBeside*(flux - flux.oldTime())/mesh_.time().deltaT()
     );
     const surfaceScalarField missing((1 - fluidPart)*full);
     force += locked()*fvc::reconstruct(full) - fvc::reconstruct(missing);
 
-    // What viscosity and rigidity do to a grain the fluid at its faces does not see
+    if (grains_.motion().isFixed())
+    {
+        force +=
+            (1 - 2*locked())
+           *fvc::reconstruct(cells_.continued(faceForce - missing));
+        return;
+    }
+
+    // What viscosity and rigidity do to a grain the fluid at its faces sees as far
+    // as it has the grain's inertia; as far as it has not, its pressure goes on
+    // along the surface as it does in the fluid, and the grain takes the difference
+    const surfaceScalarField lighter
+    (
+        beside*max(1 - rhoBeside/densityBeside(fluidPart), scalar(0))
+    );
     surfaceScalarField seen(faceForce - missing);
-    if (ownForce_.valid() && !grains_.motion().isFixed())
+    if (ownForce_.valid())
     {
         const surfaceScalarField own
         (
-            fvc::flux(ownForce_()) - fvc::interpolate(ownDrag_())*flux
+            lighter
+           *(fvc::flux(ownForce_()) - fvc::interpolate(ownDrag_())*flux)
         );
         seen -= own;
         force +=
-            ownForce_() - ownDrag_()*fvc::reconstruct(flux)
+            locked()*fvc::reconstruct(own/max(1 - fluidPart, scalar(SMALL)))
           - fvc::reconstruct(own);
     }
-
-    // Along the surface of a grain the pressure goes on as it does in the fluid
-    // beside it; the grain takes the difference
-    force += (1 - 2*locked())*fvc::reconstruct(cells_.continued(seen));
+    force +=
+        (1 - 2*locked())*fvc::reconstruct(lighter*cells_.continued(seen));
 }
 
 

@@ -22,9 +22,24 @@ Foam::grainFluidExchange::grainFluidExchange
     const carrier& fluid
 )
 :
+    grainFluidExchange
+    (
+        grains, fluid, fluid, lockedGrains::New(grains, fluid)
+    )
+{}
+
+
+Foam::grainFluidExchange::grainFluidExchange
+(
+    grainSystem& grains,
+    const carrier& fluid,
+    const carrier& aroundGrains,
+    autoPtr<resolvedTerm> resolved
+)
+:
     grains_(grains),
     mesh_(grains.mesh()),
-    weight_(grains, fluid),
+    weight_(grains, aroundGrains),
     eps_
     (
         IOobject
@@ -46,12 +61,17 @@ Foam::grainFluidExchange::grainFluidExchange
         readForm(grains.motion().coupling()),
         grains.pressureDiffusion()
     ),
-    unresolved_(grains, fluid, fields_.gradientOnGrains),
-    resolved_(lockedGrains::New(grains, fluid)),
+    unresolved_(grains, aroundGrains, fields_.gradientOnGrains),
+    resolved_(std::move(resolved)),
     openings_(grains, fluid),
     given_(Zero),
     received_(Zero)
 {
+    if (&fluid != &aroundGrains)
+    {
+        epsAmongGrains_.reset(new volScalarField("epsAmongGrains", eps_));
+        epsAmongGrains_->writeOpt() = IOobject::NO_WRITE;
+    }
     setEps();
 }
 
@@ -74,6 +94,15 @@ void Foam::grainFluidExchange::setEps()
         overfull_ += max(-room, scalar(0))*mesh_.V()[celli];
     }
     reduce(overfull_, sumOp<scalar>());
+    if (epsAmongGrains_)
+    {
+        *epsAmongGrains_ == eps_;
+        epsAmongGrains_->correctBoundaryConditions();
+        forAll(eps_, celli)
+        {
+            eps_[celli] *= 1 - resolved_->filled(celli);
+        }
+    }
     eps_.correctBoundaryConditions();
 }
 
@@ -99,7 +128,7 @@ void Foam::grainFluidExchange::findShares()
     resolved_->update();
     if (!resolved_->isActive())
     {
-        fields_.fluidShare == eps_;
+        fields_.fluidShare == epsAmongGrains();
         return;
     }
 
@@ -130,7 +159,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     findShares();
 
     fields_.clear();
-    unresolved_.predict(eps_, U(), *resolved_, fields_);
+    unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());
     fields_.correctBoundaryConditions();

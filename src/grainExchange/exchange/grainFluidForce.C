@@ -18,17 +18,20 @@ Foam::vector Foam::grainFluidExchange::momentumOfCells
     const scalar onGrains = fields_.gradientOnGrains;
 
     vector result(Zero);
-    forAll(eps_, celli)
+    const volScalarField& eps = epsAmongGrains();
+    forAll(eps, celli)
     {
-        result += deltaT
+        // In a liquid the reaction to buoyancy is part of b
+        if (!resolved_->isLiquid(celli))
+        {
+            result += deltaT
+               *weight_.force((1 - eps[celli])*mesh_.V()[celli], celli);
+        }
+        result += deltaT*mesh_.V()[celli]
            *(
-                weight_.force((1 - eps_[celli])*mesh_.V()[celli], celli)
-              + mesh_.V()[celli]
-               *(
-                    onGrains*(fields_.kappa[celli] - 1 + fields_.fluidShare[celli])
-                   *gradP[celli]
-                  + fields_.beta[celli]*U[celli] - fields_.b[celli]
-                )
+                onGrains*(fields_.kappa[celli] - 1 + fields_.fluidShare[celli])
+               *gradP[celli]
+              + fields_.beta[celli]*U[celli] - fields_.b[celli]
             );
     }
     return returnReduce(result, sumOp<vector>());
@@ -59,7 +62,8 @@ void Foam::grainFluidExchange::moveGrains
     sumOverRanks(torque);
     resolved_->addViscousTorque(cellU, mu, torque);
 
-    given_ = momentumOfCells(cellU, cellGradP);
+    given_ =
+        momentumOfCells(cellU, cellGradP) - resolved_->impulseOnOthers(cellU);
     received_ = deltaT*sum(force);
     openings_.extendForce(*resolved_, force, torque);
 

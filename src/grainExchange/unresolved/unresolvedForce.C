@@ -64,7 +64,6 @@ void Foam::unresolvedTerm::addForce
 {
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = grains_.mesh().time().deltaTValue();
-    const scalar onGrains = gradientOnGrains_;
     const vectorField& C = grains_.mesh().C();
 
     // For the torque, the fluid's velocity where the overlap is: a grain that
@@ -81,6 +80,8 @@ void Foam::unresolvedTerm::addForce
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
+            const scalar onGrains =
+                gradientOnGrains_ && !resolved.isLiquid(o.cell);
             const implicitTransfer<vector>& t = transfer_[o.index];
             const vector f
             (

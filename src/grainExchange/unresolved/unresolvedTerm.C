@@ -113,6 +113,15 @@ void Foam::unresolvedTerm::predict
                 );
 
             const scalar w = o.volume/V[o.cell];
+            if (resolved.isLiquid(o.cell))
+            {
+                // The body has the cell's volume, and its liquid the reaction to
+                // buoyancy
+                fields.beta[o.cell] += w*t.a*t.gamma;
+                fields.b[o.cell] +=
+                    w*(t.a*t.gamma*t.free - e) - weight_.force(w, o.cell);
+                continue;
+            }
             const scalar wa = w*t.a;
             const scalar wag = wa*t.gamma;
             const scalar wat = wa*deltaT/rhop;

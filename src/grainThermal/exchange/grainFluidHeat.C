@@ -16,11 +16,27 @@ Foam::grainFluidHeat::grainFluidHeat
     const volScalarField& T
 )
 :
+    grainFluidHeat(grains, exchange, fluid, T, fluid, fluid, nullptr)
+{}
+
+
+Foam::grainFluidHeat::grainFluidHeat
+(
+    grainSystem& grains,
+    grainFluidExchange& exchange,
+    const thermalFluid& fluid,
+    const volScalarField& T,
+    const carrier& aroundGrains,
+    const conductor& heatAroundGrains,
+    otherHeat* others
+)
+:
     grains_(grains),
     exchange_(exchange),
     fluid_(fluid),
-    unresolved_(grains, fluid),
+    unresolved_(grains, aroundGrains, heatAroundGrains),
     resolved_(grains, exchange.resolved()),
+    others_(others),
     received_(0),
     outside_(0),
     openConductivity_
@@ -72,6 +88,10 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     cellHeat result(openConductivity_);
     unresolved_.add(exchange_, U, result);
     resolved_.add(T, openConductivity_, result);
+    if (others_)
+    {
+        others_->add(T, result);
+    }
 
     const plateHeat& plates = fluid_.plates();
     if (plates.coefficient() > 0)
@@ -110,4 +130,9 @@ void Foam::grainFluidHeat::give(const volScalarField& T)
     }
     grainT.setTemperatures(TNew);
     grainT.conduct(deltaT);
+
+    if (others_)
+    {
+        others_->take(T);
+    }
 }

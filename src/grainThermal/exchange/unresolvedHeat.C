@@ -10,11 +10,13 @@
 Foam::unresolvedHeat::unresolvedHeat
 (
     const grainSystem& grains,
-    const thermalFluid& fluid
+    const carrier& fluid,
+    const conductor& heat
 )
 :
     grains_(grains),
     fluid_(fluid),
+    conductor_(heat),
     law_
     (
         heatLaw::New
@@ -59,10 +61,10 @@ Foam::scalar Foam::unresolvedHeat::h
         own.share*own.slip + (1 - own.share)*own.slipFactor*cellSlip;
     const scalar d = grains_.fluidDiameter(graini);
     const scalar mu = fluid_.mu()[o.cell];
-    const scalar k = fluid_.kappa()[o.cell];
+    const scalar k = conductor_.kappa()[o.cell];
     const scalar rho = fluid_.rho()[o.cell];
     const scalar Re = rho*slip*d/mu;
-    const scalar Pr = mu*fluid_.capacity()/(rho*k);
+    const scalar Pr = mu*conductor_.capacity(o.cell)/(rho*k);
 
     const scalar Nu = law_->Nu(eps, Re, Pr);
     return
@@ -103,7 +105,7 @@ void Foam::unresolvedHeat::add
     cellHeat& cells
 )
 {
-    const volScalarField& eps = exchange.eps();
+    const volScalarField& eps = exchange.epsAmongGrains();
     const resolvedTerm& resolved = exchange.resolved();
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = grains_.mesh().time().deltaTValue();

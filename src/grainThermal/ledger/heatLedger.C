@@ -72,6 +72,7 @@ void Foam::heatLedger::endStep(const transportFlux& flux)
     fluidError_ = error
     ({
         -fluidHeat, fluidHeat_, -out, -exchange_.received(),
+        -exchange_.takenByOthers(),
         heat_.fromPlates(), heat_.broughtIn(fluid_)
     });
     fluidHeat_ = fluidHeat;

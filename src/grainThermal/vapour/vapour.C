@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "meanOverGrains.H"
+#include "surfaceInterpolate.H"
 
 Foam::vapour::vapour
 (
@@ -66,10 +67,14 @@ void Foam::vapour::tell(grainSystem& grains) const
 }
 
 
-void Foam::vapour::carry(const transportFlux& flux)
+void Foam::vapour::carry
+(
+    const transportFlux& flux,
+    const cellExchange& exchange
+)
 {
     if (isActive())
     {
-        psi_->carry(flux, D_);
+        psi_->carry(flux, D_*fvc::interpolate(flux.fraction()), exchange);
     }
 }

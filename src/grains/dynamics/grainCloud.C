@@ -70,7 +70,7 @@ void Foam::grainDynamics<D>::writeCloud() const
     // Also the positions that older readers look for
     particle::writeLagrangianPositions = true;
 
-    pointCloud cloud(mesh(), "grains");
+    pointCloud cloud(mesh(), name_);
     forAll(cell_, i)
     {
         const point x

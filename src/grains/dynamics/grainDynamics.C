@@ -12,16 +12,22 @@
 #include "startOfStep.H"
 
 template<int D>
-Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
+Foam::grainDynamics<D>::grainDynamics
+(
+    const fvMesh& mesh,
+    const vector& g,
+    const grainSet& set
+)
 :
-    grainMotion(mesh),
-    properties_(mesh, g),
+    grainMotion(mesh, set.name),
+    name_(set.name),
+    properties_(mesh, g, set),
     injections_(properties_),
     outlets_(properties_, injections_.openings()),
     openings_(outlets_.openings())
 {
     properties_.patches().requireMesh();
-    const bool restart = continuesFromState(mesh.time());
+    const bool restart = continuesFromState(mesh.time(), name_);
 
     try
     {
@@ -40,7 +46,7 @@ Foam::grainDynamics<D>::grainDynamics(const fvMesh& mesh, const vector& g)
         if (restart)
         {
             dynamics_->load(stateFile());
-            Info<< "Grains continue from " << stateFile() << endl;
+            Info<< "The " << name_ << " continue from " << stateFile() << endl;
         }
     }
     catch (const std::exception& err)

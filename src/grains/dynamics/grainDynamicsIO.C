@@ -12,10 +12,30 @@
 
 #include <algorithm>
 
+namespace
+{
+
+//- Are its files all states of grains, injections or others that move beside them?
+bool holdsStatesOnly(const Foam::fileName& timeDir)
+{
+    const Foam::fileNameList files(readDir(timeDir, Foam::fileName::FILE));
+    return std::all_of
+    (
+        files.begin(), files.end(),
+        [](const Foam::fileName& file)
+        {
+            return file == "injections" || file.ext() == "h5";
+        }
+    );
+}
+
+}
+
+
 template<int D>
 Foam::fileName Foam::grainDynamics<D>::stateFile() const
 {
-    return grainStateFile(mesh().time());
+    return grainStateFile(mesh().time(), name_);
 }
 
 
@@ -115,8 +135,7 @@ void Foam::grainDynamics<D>::purge() const
         (
             !hasFields
          && isFile(timeDir/"grains.h5", false)
-         && readDir(timeDir, fileName::FILE).size()
-         == (isFile(timeDir/"injections", false) ? 2 : 1)
+         && holdsStatesOnly(timeDir)
          && readDir(timeDir, fileName::DIRECTORY).empty()
         )
         {

@@ -138,6 +138,22 @@ void Foam::grainDynamics<D>::move
 }
 
 
+template<int D>
+void Foam::grainDynamics<D>::resize
+(
+    const scalarField& radius,
+    const scalarField& mass
+)
+{
+    dynamics_->resize
+    (
+        std::vector<double>(radius.begin(), radius.end()),
+        std::vector<double>(mass.begin(), mass.end())
+    );
+    isResized_ = true;
+}
+
+
 template void Foam::grainDynamics<2>::meshChanged();
 template void Foam::grainDynamics<3>::meshChanged();
 template Foam::autoPtr<Foam::grainCells> Foam::grainDynamics<2>::cells() const;
@@ -152,6 +168,14 @@ template Foam::grainMotion::twist Foam::grainDynamics<3>::contactChange
 (
     const label, const scalar
 ) const;
+template void Foam::grainDynamics<2>::resize
+(
+    const scalarField&, const scalarField&
+);
+template void Foam::grainDynamics<3>::resize
+(
+    const scalarField&, const scalarField&
+);
 template void Foam::grainDynamics<2>::move
 (
     const vectorField&, const vectorField&, const scalar

@@ -8,11 +8,12 @@
 Foam::autoPtr<Foam::grainMotion> Foam::grainMotion::New
 (
     const fvMesh& mesh,
-    const vector& g
+    const vector& g,
+    const grainSet& set
 )
 {
     return
         isPlanar(mesh)
-      ? autoPtr<grainMotion>(new grainDynamics<2>(mesh, g))
-      : autoPtr<grainMotion>(new grainDynamics<3>(mesh, g));
+      ? autoPtr<grainMotion>(new grainDynamics<2>(mesh, g, set))
+      : autoPtr<grainMotion>(new grainDynamics<3>(mesh, g, set));
 }

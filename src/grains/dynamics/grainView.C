@@ -12,11 +12,11 @@ namespace Foam
 }
 
 
-Foam::grainView::grainView(const fvMesh& mesh)
+Foam::grainView::grainView(const fvMesh& mesh, const word& name)
 :
     regIOobject
     (
-        IOobject(registryName, mesh.time().timeName(), mesh)
+        IOobject(name, mesh.time().timeName(), mesh)
     )
 {}
 

@@ -23,20 +23,26 @@ const Foam::Enum<nscd::Solver> solvers
 
 
 template<int D>
-Foam::grainProperties<D>::grainProperties(const fvMesh& mesh, const vector& g)
+Foam::grainProperties<D>::grainProperties
+(
+    const fvMesh& mesh,
+    const vector& g,
+    const grainSet& set
+)
 :
     space_(mesh),
     dict_
     (
         IOobject
         (
-            "grainProperties",
+            set.properties ? word(set.name + "Properties") : "grainProperties",
             mesh.time().constant(),
             mesh,
-            IOobject::MUST_READ,
+            set.properties ? IOobject::NO_READ : IOobject::MUST_READ,
             IOobject::NO_WRITE,
             false
-        )
+        ),
+        set.properties ? *set.properties : dictionary::null
     ),
     g_(g),
     materials_(dict_),

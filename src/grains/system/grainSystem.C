@@ -47,9 +47,36 @@ Foam::grainSystem::grainSystem
     }
 
     motion_->warnOfUnseenWalls();
+    start();
+}
+
+
+Foam::grainSystem::grainSystem
+(
+    const fvMesh& mesh,
+    const vector& g,
+    const grainSet& set
+)
+:
+    mesh_(mesh),
+    motion_(grainMotion::New(mesh, g, set))
+{
+    start();
+}
+
+
+void Foam::grainSystem::start()
+{
     setCells();
     map();
     checkLost();
+}
+
+
+void Foam::grainSystem::resize(const scalarField& radius, const scalarField& mass)
+{
+    motion_->resize(radius, mass);
+    map();
 }
 
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The grainFoam authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// ContactDynamics::add: grains come, those that are there keep their contacts.
+// ContactDynamics::add and resize: grains come or become others, those that are there keep their contacts.
 
 #include "nscd/dynamics/Implementation.hpp"
 #include "nscd/dynamics/Validation.hpp"
@@ -15,6 +15,21 @@ void ContactDynamics<D>::Implementation::add(const Grains<D>& more)
 {
     Grains<D> all = grains_;
     append(all, more);
+    replace(std::move(all));
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::resize(std::vector<double> radius, std::vector<double> mass)
+{
+    Grains<D> all = grains_;
+    all.radius = std::move(radius);
+    all.mass = std::move(mass);
+    replace(std::move(all));
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::replace(Grains<D> all)
+{
     validate(all, table_);
     validate(settings_, all);
 
@@ -36,5 +51,7 @@ void ContactDynamics<D>::Implementation::add(const Grains<D>& more)
 
 template void ContactDynamics<2>::Implementation::add(const Grains<2>&);
 template void ContactDynamics<3>::Implementation::add(const Grains<3>&);
+template void ContactDynamics<2>::Implementation::resize(std::vector<double>, std::vector<double>);
+template void ContactDynamics<3>::Implementation::resize(std::vector<double>, std::vector<double>);
 
 }  // namespace nscd

@@ -126,6 +126,12 @@ void ContactDynamics<D>::add(const Grains<D>& more)
 }
 
 template <int D>
+void ContactDynamics<D>::resize(std::vector<double> radius, std::vector<double> mass)
+{
+    implementation_->resize(std::move(radius), std::move(mass));
+}
+
+template <int D>
 void ContactDynamics<D>::save(const std::string& file, double time) const
 {
     implementation_->save(file, time);

@@ -126,6 +126,10 @@ public:
     /// clusters are those that the others have.  Collective.  Throws std::invalid_argument as the constructor does.
     void add(const Grains<D>& more);
 
+    /// Radii [m] and masses [kg] from now on; places, contacts and impulses stay.  Collective.  Throws
+    /// std::invalid_argument as the constructor does.
+    void resize(std::vector<double> radius, std::vector<double> mass);
+
     /// Advance by dt [s] under a force [N] and a torque [N m] per grain that do not change within the step
     /// (weight is one of them): v += dt F/m, contacts, x += dt v.  Collective: all ranks give the same lists.
     /// Throws std::runtime_error when a value turns out not to be finite, or a grain's centre has been pressed through

@@ -39,6 +39,7 @@ public:
     void setAmbient(std::vector<double> ambient);
     void remove(const std::vector<bool>& gone);
     void add(const Grains<D>& more);
+    void resize(std::vector<double> radius, std::vector<double> mass);
     void save(const std::string& file, double time) const;
     double load(const std::string& file);
     void restoreWalls(const State<D>& state);
@@ -58,6 +59,8 @@ private:
     /// Ratio of neighbours' masses up to which plain sweeps do well.
     static constexpr double evenMasses = 100;
 
+    /// Of grains those that are there come first.
+    void replace(Grains<D> all);
     void measureGrains();
     void measureWalls();
     void checkWallBody(int body, bool free, bool finite) const;

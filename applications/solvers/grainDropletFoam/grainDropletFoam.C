@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2011-2016 OpenFOAM Foundation
+    SPDX-FileCopyrightText: 2019 OpenCFD Ltd.
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    grainDropletFoam
+
+Group
+    grpGrainSolvers
+
+Description
+    grainThermalFoam with droplets that evaporate among hot grains, take them in
+    and dig themselves in (doc/theory, chapter 10).
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "dynamicFvMesh.H"
+#include "pisoControl.H"
+
+#include "adjustableTimeStep.H"
+#include "buoyantPatches.H"
+#include "carriedFields.H"
+#include "dictionaryInput.H"
+#include "dropletLedger.H"
+#include "fluidHeat.H"
+#include "fluidInput.H"
+#include "grainFluidExchange.H"
+#include "grainFluidHeat.H"
+#include "grainLedger.H"
+#include "heatLedger.H"
+#include "incompleteTimes.H"
+#include "sigFpe.H"
+#include "thermalFluid.H"
+#include "vansFlow.H"
+#include "vapour.H"
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Droplets that evaporate in a fluid with hot grains in contact."
+    );
+
+    #include "setRootCaseLists.H"
+
+    setAsideIncompleteTimes(args);
+
+    #include "createTime.H"
+    #include "createDynamicFvMesh.H"
+
+    pisoControl piso(mesh);
+
+    #include "createFields.H"
+
+    // What goes wrong is looked for and reported by name
+    const sigFpe::ignore ignoreFpe;
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        carried.startStep();
+        exchange.inject(fields.U);
+        timeStep.set(flow.relativePhiU());
+        ++runTime;
+
+        ledger.startStep(flow.relativePhiU());
+
+        if (mesh.dynamic())
+        {
+            flow.beforeMeshChange();
+            carried.beforeMeshChange();
+            heat.beforeMeshChange(carried.flux());
+            steam.beforeMeshChange(carried.flux());
+            if (mesh.update())
+            {
+                exchange.meshChanged();
+                droplets.meshChanged();
+                flow.meshChanged();
+                heat.meshChanged(carried.flux());
+                steam.meshChanged(carried.flux());
+                fluid.correct();
+                carried.meshChanged();
+                ledger.meshChanged();
+            }
+        }
+
+        heatBooks.startStep(carried.flux());
+        boiling.startStep(heat.T());
+        exchange.predict(fields.U);
+
+        flow.setVolumeSource(boiling.volumeSource());
+        flow.startStep();
+        flow.predict(piso.momentumPredictor());
+        while (piso.correct())
+        {
+            flow.correct(piso);
+        }
+
+        steam.tell(grains);
+        vectorField force, torque;
+        term.forces(fields.U, flow.step().muf, force, torque);
+        exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
+        droplets.move(force, torque, runTime.deltaTValue());
+        droplets.evaporate(boiling.lost());
+        droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
+        exchange.setEps();
+        exchange.discharge(fields.U, fields.phiU);
+
+        const scalarField vapour(boiling.vapourVolume());
+        carried.carry
+        (
+            flow.fluidFlux(exchange.eps()),
+            boiling.withVapour(exchange.filled())
+        );
+        heat.solve(carried.flux(), fields.U, fluid, heatExchange);
+        steam.carry(carried.flux(), {vapour, vapour});
+
+        // As a restart will find it
+        fluid.correct();
+
+        ledger.endStep(fields.phi, fields.phiU);
+        heatBooks.endStep(carried.flux());
+        dropletBooks.endStep(force);
+        grains.checkLost();
+        droplets.checkLost();
+
+        if (runTime.writeTime())
+        {
+            grains.motion().beginWrite();
+            droplets.system().motion().beginWrite();
+            runTime.write();
+            droplets.system().motion().endWrite();
+            grains.motion().endWrite();
+        }
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}

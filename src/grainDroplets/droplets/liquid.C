@@ -1,0 +1,55 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "liquid.H"
+
+#include "dictionaryInput.H"
+
+
+namespace
+{
+
+using namespace Foam;
+
+// [m^2/s^2], [m^2/s^2/K], [kg m/s^3/K]
+const dimensionSet dimLatentHeat(0, 2, -2, 0, 0);
+const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
+const dimensionSet dimConductivity(1, 1, -3, -1, 0);
+
+const dictionary& checked(const dictionary& dict)
+{
+    dictionaryInput::checkKeywords
+    (
+        dict,
+        {
+            "density", "latentHeat", "boilingTemperature", "mu", "kappa", "Cp",
+            "vapourDensity"
+        }
+    );
+    return dict;
+}
+
+}
+
+
+Foam::liquid::liquid(const dictionary& dict, const scalar fluidDensity)
+:
+    density(dictionaryInput::getPositive(checked(dict), "density", dimDensity)),
+    latentHeat(dictionaryInput::getPositive(dict, "latentHeat", dimLatentHeat)),
+    boilingTemperature
+    (
+        dictionaryInput::getPositive(dict, "boilingTemperature", dimTemperature)
+    ),
+    mu(dictionaryInput::getPositive(dict, "mu", dimDynamicViscosity)),
+    kappa(dictionaryInput::getPositive(dict, "kappa", dimConductivity)),
+    Cp(dictionaryInput::getPositive(dict, "Cp", dimHeatCapacity)),
+    vapourDensity
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "vapourDensity", dimDensity, fluidDensity
+        )
+    )
+{}

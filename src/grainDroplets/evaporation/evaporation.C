@@ -1,0 +1,321 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "evaporation.H"
+
+#include "combineOverRanks.H"
+#include "dictionaryInput.H"
+#include "fvc.H"
+
+
+Foam::evaporation::evaporation
+(
+    liquidDroplets& droplets,
+    const dropletTerm& term,
+    const thermalFluid& gas
+)
+:
+    droplets_(droplets),
+    term_(term),
+    gas_(gas),
+    mesh_(droplets.system().mesh()),
+    isLocal_
+    (
+        dictionaryInput::getWordOrDefault
+        (
+            droplets.dict(), "blowing", "local", {"local", "uniform"}
+        )
+     == "local"
+    ),
+    state_
+    (
+        IOobject
+        (
+            "dropletHeat",
+            mesh_.time().timeName(),
+            "uniform",
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    fromFluid_(droplets.size(), Zero),
+    fromGrains_(droplets.size(), Zero),
+    lost_(droplets.size(), Zero),
+    vapour_(mesh_.nCells(), Zero),
+    hold_(0),
+    taken_(0)
+{
+    for (const word& key : {"fromFluid", "fromGrains"})
+    {
+        if (!state_.found(key))
+        {
+            state_.add(key, scalarField(droplets.size(), Zero));
+        }
+    }
+}
+
+
+Foam::List<Foam::evaporation::link> Foam::evaporation::surface
+(
+    const surfaceScalarField& conductivity
+) const
+{
+    volScalarField droplet
+    (
+        IOobject("dropletOfCell", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("none", dimless, -1)
+    );
+    forAll(droplet, celli)
+    {
+        droplet[celli] = term_.dropletOf(celli);
+    }
+    droplet.correctBoundaryConditions();
+
+    const surfaceScalarField conductance
+    (
+        term_.conductance()*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
+    );
+
+    DynamicList<link> result;
+    forAll(mesh_.neighbour(), facei)
+    {
+        const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
+        if ((droplet[P] < 0) != (droplet[N] < 0))
+        {
+            const bool isOwner = droplet[P] < 0;
+            result.append
+            ({
+                isOwner ? P : N, label(droplet[isOwner ? N : P]),
+                mesh_.magSf()[facei], conductance[facei], conductivity[facei]
+            });
+        }
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& d = droplet.boundaryField()[patchi];
+        if (!d.coupled())
+        {
+            continue;
+        }
+        const scalarField own(d.patchInternalField());
+        const scalarField neighbour(d.patchNeighbourField());
+        forAll(d, i)
+        {
+            if (own[i] < 0 && neighbour[i] >= 0)
+            {
+                result.append
+                ({
+                    d.patch().faceCells()[i], label(neighbour[i]),
+                    d.patch().magSf()[i], conductance.boundaryField()[patchi][i],
+                    conductivity.boundaryField()[patchi][i]
+                });
+            }
+        }
+    }
+    return List<link>(std::move(result));
+}
+
+
+Foam::scalarField Foam::evaporation::shares
+(
+    const List<link>& links,
+    const volScalarField& T
+) const
+{
+    const scalarField fromFluid(state_.lookup("fromFluid"));
+    const scalarField fromGrains(state_.lookup("fromGrains"));
+
+    scalarField heat(links.size());
+    scalarField allHeat(droplets_.size(), Zero);
+    scalarField allArea(droplets_.size(), Zero);
+    forAll(links, i)
+    {
+        const link& l = links[i];
+        heat[i] = l.conductance*l.conductivity
+           *max(T[l.cell] - droplets_.properties().boilingTemperature, scalar(0));
+        allHeat[l.droplet] += heat[i];
+        allArea[l.droplet] += l.area;
+    }
+    sumOverRanks(allHeat);
+    sumOverRanks(allArea);
+
+    scalarField result(links.size());
+    forAll(links, i)
+    {
+        const label d = links[i].droplet;
+        const scalar byFluid = max(fromFluid[d], scalar(0));
+        const scalar byGrains = max(fromGrains[d], scalar(0));
+        const scalar local =
+            isLocal_ && allHeat[d] > 0
+          ? byFluid/max(byFluid + byGrains, VSMALL)
+          : 0;
+        result[i] =
+            local*heat[i]/max(allHeat[d], VSMALL)
+          + (1 - local)*links[i].area/allArea[d];
+    }
+    return result;
+}
+
+
+void Foam::evaporation::startStep(const volScalarField& T)
+{
+    const scalar latent = droplets_.properties().latentHeat;
+    const List<link> links
+    (
+        surface(fvc::interpolate(gas_.kappa(), "interpolate(kappa)"))
+    );
+    scalarField isThere(droplets_.size(), Zero);
+    for (const link& l : links)
+    {
+        isThere[l.droplet] = 1;
+    }
+    sumOverRanks(isThere);
+    const scalarField share(shares(links, T));
+
+    scalarField fromFluid(state_.lookup("fromFluid"));
+    scalarField fromGrains(state_.lookup("fromGrains"));
+    forAll(lost_, d)
+    {
+        const scalar heat = fromFluid[d] + fromGrains[d];
+        lost_[d] =
+            isThere[d] > 0
+          ? min(max(heat, scalar(0))/latent, droplets_.mass(d))
+          : 0;
+        if (lost_[d] > 0)
+        {
+            const scalar left = 1 - lost_[d]*latent/heat;
+            fromFluid[d] *= left;
+            fromGrains[d] *= left;
+        }
+    }
+    state_.set("fromFluid", fromFluid);
+    state_.set("fromGrains", fromGrains);
+
+    vapour_ = scalarField(mesh_.nCells(), Zero);
+    forAll(links, i)
+    {
+        const label celli = links[i].cell;
+        vapour_[celli] +=
+            share[i]*lost_[links[i].droplet]
+           /(mesh_.V()[celli]*mesh_.time().deltaTValue());
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::evaporation::volumeSource() const
+{
+    const liquid& l = droplets_.properties();
+    tmp<volScalarField> tsource
+    (
+        new volScalarField
+        (
+            IOobject("vapourSource", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(dimless/dimTime, Zero)
+        )
+    );
+    tsource.ref().primitiveFieldRef() =
+        (1/l.vapourDensity - 1/l.density)*vapour_;
+    return tsource;
+}
+
+
+Foam::scalarField Foam::evaporation::withVapour(const scalarField& filled) const
+{
+    scalarField result(mesh_.time().deltaTValue()*vapourVolume());
+    if (filled.size())
+    {
+        result += filled;
+    }
+    return result;
+}
+
+
+void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
+{
+    const scalar boiling = droplets_.properties().boilingTemperature;
+    links_ = surface(cells.conductivity);
+    cells.conductivity *= term_.conductance();
+
+    // A hundred-thousandth of the difference to the gas is left
+    hold_ = 1e5
+       *(
+            gas_.capacity()/mesh_.time().deltaTValue()
+          + gMax
+            (
+                fvc::surfaceSum
+                (
+                    cells.conductivity*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
+                )().primitiveField()
+               /mesh_.V().field()
+            )
+        );
+
+    const scalarField vapour(vapourVolume());
+    forAll(T, celli)
+    {
+        if (term_.isLiquid(celli))
+        {
+            cells.add(celli, hold_, boiling);
+        }
+        if (vapour[celli] > 0)
+        {
+            cells.add(celli, gas_.capacity()*vapour[celli], boiling);
+        }
+    }
+}
+
+
+void Foam::evaporation::take(const volScalarField& T)
+{
+    const scalar boiling = droplets_.properties().boilingTemperature;
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalarField& V = mesh_.V();
+    const scalarField vapour(vapourVolume());
+
+    scalarField all(droplets_.size(), Zero);
+    fromFluid_ = Zero;
+    taken_ = 0;
+    forAll(T, celli)
+    {
+        const label d = term_.dropletOf(celli);
+        if (d >= 0)
+        {
+            all[d] += deltaT*V[celli]*hold_*(T[celli] - boiling);
+        }
+        taken_ +=
+            deltaT*V[celli]*gas_.capacity()*vapour[celli]*(T[celli] - boiling);
+    }
+    for (const link& l : links_)
+    {
+        fromFluid_[l.droplet] +=
+            deltaT*l.conductance*l.conductivity*(T[l.cell] - boiling);
+    }
+    sumOverRanks(all);
+    sumOverRanks(fromFluid_);
+    fromGrains_ = all - fromFluid_;
+    reduce(taken_, sumOp<scalar>());
+    taken_ += sum(all);
+
+    state_.set
+    (
+        "fromFluid", scalarField(scalarField(state_.lookup("fromFluid")) + fromFluid_)
+    );
+    state_.set
+    (
+        "fromGrains",
+        scalarField(scalarField(state_.lookup("fromGrains")) + fromGrains_)
+    );
+}
+
+
+Foam::scalar Foam::evaporation::waiting() const
+{
+    return
+        sum(scalarField(state_.lookup("fromFluid")))
+      + sum(scalarField(state_.lookup("fromGrains")));
+}

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Droplets in a case that has none: a box, or the gas between a droplet and a circle.
+
+    case = with_droplets(with_heat(grain_box(clone)), [(0.05, 0.05)], 0.01)
+    case.run("grainDropletFoam")
+"""
+
+import numpy as np
+from grain_box import DEPTH, replace
+
+HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+DENSITY = 1000.0
+LATENT = 2.26e6
+BOILING = 373.15
+
+
+def with_droplets(
+    case, centres, radius, velocity=None, liquid="", entries="", density=DENSITY, latent=LATENT
+):
+    """Add droplets at centres (n, 2) of one radius, or one per droplet."""
+    centres = np.asarray(centres, dtype=float).reshape(-1, 2)
+    n = len(centres)
+    velocity = np.zeros((n, 2)) if velocity is None else np.asarray(velocity).reshape(n, 2)
+    rows = np.column_stack([centres, np.full(n, DEPTH / 2), np.broadcast_to(radius, n), velocity])
+    lines = [",".join(repr(float(value)) for value in row) for row in rows]
+    text = "\n".join(["x,y,z,radius,vx,vy", *lines, ""])
+    (case.path / "constant/droplets.csv").write_text(text)
+    (case.path / "constant/dropletProperties").write_text(
+        HEADER.format(kind="dictionary", name="dropletProperties")
+        + f"liquid {{ density {density}; latentHeat {latent}; boilingTemperature {BOILING};"
+        + f" mu 2.8e-4; kappa 0.68; Cp 4200; {liquid} }}\n"
+        + 'initialDroplets { type csv; file "constant/droplets.csv"; }\n'
+        + entries
+    )
+    return case
+
+
+def droplet_table(case):
+    """Columns of the droplets' books."""
+    return case.table("postProcessing/droplets/0/droplets.csv")
+
+
+def annulus(case, core, outer, cells, rings, offset=(0, 0)):
+    """A mesh of squares around the origin, of half width 'core' and 'cells' across, between
+    them and a circle of radius 'outer' 'rings' of cells; patch 'outer'."""
+    a, b, z = float(core), float(outer / np.sqrt(2)), DEPTH
+    square = [(-a, -a), (a, -a), (a, a), (-a, a)]
+    circle = [(-b, -b), (b, -b), (b, b), (-b, b)]
+    plane = square + circle
+    points = [f"({x!r} {y!r} {h!r})" for h in (0, z) for x, y in plane]
+    blocks = [f"hex (0 1 2 3 8 9 10 11) ({cells} {cells} 1) simpleGrading (1 1 1)"]
+    arcs, faces = [], []
+    for i in range(4):
+        j = (i + 1) % 4
+        corners = (4 + i, 4 + j, j, i)
+        both = " ".join(map(str, [*corners, *(k + 8 for k in corners)]))
+        blocks.append(f"hex ({both}) ({cells} {rings} 1) simpleGrading (1 1 1)")
+        middle = outer * np.array([(0, -1), (1, 0), (0, 1), (-1, 0)][i])
+        for h, plus in ((0, 0), (z, 8)):
+            point = f"({float(middle[0])!r} {float(middle[1])!r} {h!r})"
+            arcs.append(f"arc {4 + i + plus} {4 + j + plus} {point}")
+        faces.append(f"({4 + i} {4 + j} {12 + j} {12 + i})")
+    (case.path / "system/blockMeshDict").write_text(
+        HEADER.format(kind="dictionary", name="blockMeshDict")
+        + f"scale 1; vertices ({' '.join(points)}); blocks ({' '.join(blocks)});\n"
+        + f"edges ({' '.join(arcs)}); defaultPatch {{ name frontAndBack; type empty; }}\n"
+        + f"boundary (outer {{ type patch; faces ({' '.join(faces)}); }});\n"
+    )
+    replace(case, "constant/g", "-9.81", "0")
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(outer)")
+    case.run("blockMesh")

@@ -114,7 +114,7 @@ def test_light_cylinder_falls_as_far_with_longer_steps(clone):
         case.run("grainFoam")
         depth.append(0.075 - tracks(case)[-1, 3])
     assert depth[0] > 0.02
-    # First order in time: 0.84 % was measured
+    # First order in time: 0.05 % was measured
     assert depth[0] == pytest.approx(depth[1], rel=0.01)
 
 

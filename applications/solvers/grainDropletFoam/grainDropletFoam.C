@@ -105,7 +105,7 @@ int main(int argc, char *argv[])
         term.forces(fields.U, flow.step().muf, force, torque);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         droplets.move(force, torque, runTime.deltaTValue());
-        droplets.evaporate(boiling.lost());
+        const std::vector<bool> dried(droplets.evaporate(boiling.lost()));
         droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
         exchange.setEps();
         exchange.discharge(fields.U, fields.phiU);
@@ -125,6 +125,8 @@ int main(int argc, char *argv[])
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());
         dropletBooks.endStep(force);
+        droplets.remove(dried);
+        boiling.remove(dried);
         grains.checkLost();
         droplets.checkLost();
 

@@ -5,13 +5,12 @@
 
 #include "liquidDroplets.H"
 
+#include "volFields.H"
+#include "cellSizes.H"
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
-#include "fvMesh.H"
 #include "grainSpace.H"
-#include "volFields.H"
 #include "Pair.H"
-
 
 Foam::liquidDroplets::liquidDroplets
 (
@@ -33,12 +32,68 @@ Foam::liquidDroplets::liquidDroplets
         )
     ),
     liquid_(dictionaryInput::subDict(dict_, "liquid"), fluidDensity),
+    from_
+    (
+        dictionaryInput::getScalarOrDefault(dict_, "from", dimless, 4, 2, 100)
+    ),
+    tolerance_
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict_, "tolerance", dimLength, 1e-7
+        )
+    ),
     motionDict_(motionDict(mesh)),
     system_(mesh, g, {"droplets", &motionDict_})
 {
     // Masses are their own from now on, not that of their material
     evaporate(scalarField(size(), Zero));
     setFilled(scalarField(mesh.nCells(), Zero));
+    if (mesh.time().value() <= 0)
+    {
+        findSmall(from_);
+        checkSizes();
+    }
+    findSmall(fewest);
+}
+
+
+void Foam::liquidDroplets::findSmall(const scalar cells)
+{
+    const scalarField size(cellSizes(system_.mesh()));
+    scalarField mean(this->size(), Zero);
+    for (label i = 0; i < this->size(); ++i)
+    {
+        for (const cellOverlap& o : system_.overlaps().of(i))
+        {
+            mean[i] += o.volume*size[o.cell];
+        }
+    }
+    sumOverRanks(mean);
+    isSmall_.resize(this->size());
+    forAll(mean, i)
+    {
+        // As resolvedGrains has it
+        isSmall_[i] =
+            system_.fluidDiameter(i)*system_.mappedVolume()[i]
+          < (1 - 1e-6)*cells*mean[i];
+    }
+}
+
+
+void Foam::liquidDroplets::checkSizes() const
+{
+    const label i = isSmall_.find(true);
+    if (i >= 0)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Keyword 'initialDroplets': droplet " << system_.motion().id(i)
+            << " at " << system_.centres()[i] << " of diameter "
+            << system_.fluidDiameter(i) << " m has fewer than " << from_
+            << " cells across" << nl
+            << "    allowed: larger droplets, smaller cells, or 'from' of at"
+            << " least 2" << exit(FatalIOError);
+    }
 }
 
 
@@ -64,10 +119,10 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
     result.add("materials", materials);
 
     dictionary laws;
-    for (const word& other : {"liquid", "wall"})
+    for (const char* other : {"liquid", "wall"})
     {
         dictionary law;
-        law.add("materials", Pair<word>("liquid", other));
+        law.add("materials", Pair<word>("liquid", word(other)));
         law.add("type", word("Coulomb"));
         law.add("friction", 0);
         laws.add(other, law);
@@ -94,14 +149,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
     result.add("initialGrains", initial);
 
     dictionary contact;
-    contact.add
-    (
-        "tolerance",
-        dictionaryInput::getPositiveOrDefault
-        (
-            dict_, "tolerance", dimLength, 1e-7
-        )
-    );
+    contact.add("tolerance", tolerance_);
     result.add("contact", contact);
 
     dictionary method, coupling;
@@ -120,17 +168,12 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
 }
 
 
-Foam::scalar Foam::liquidDroplets::from() const
-{
-    return dictionaryInput::getScalarOrDefault(dict_, "from", dimless, 4, 2, 100);
-}
-
-
 void Foam::liquidDroplets::setFilled(const scalarField& grains)
 {
     const scalarField& V = system_.mesh().V();
     filled_ = scalarField(V.size(), Zero);
     inside_ = scalarField(size(), Zero);
+    findSmall(fewest);
     for (label i = 0; i < size(); ++i)
     {
         for (const cellOverlap& o : system_.overlaps().of(i))
@@ -164,15 +207,39 @@ void Foam::liquidDroplets::setVolumes
 }
 
 
-void Foam::liquidDroplets::evaporate(const scalarField& lost)
+Foam::scalar Foam::liquidDroplets::leastMass() const
 {
+    const scalar radius = 20*tolerance_;
+    return
+        liquid_.density
+       *(
+            size()
+          ? system_.volume(0)
+           *pow(radius/system_.motion().radius(0), system_.mesh().nGeometricD())
+          : 0
+        );
+}
+
+
+std::vector<bool> Foam::liquidDroplets::evaporate(const scalarField& lost)
+{
+    std::vector<bool> gone(size(), false);
     scalarField volume(size()), mass(size());
     forAll(volume, i)
     {
-        mass[i] = this->mass(i) - lost[i];
-        volume[i] = system_.volume(i) - lost[i]/liquid_.density;
+        gone[i] = lost[i] >= this->mass(i);
+        const scalar loss = gone[i] ? 0 : lost[i];
+        mass[i] = this->mass(i) - loss;
+        volume[i] = system_.volume(i) - loss/liquid_.density;
     }
     setVolumes(volume, mass);
+    return gone;
+}
+
+
+void Foam::liquidDroplets::remove(const std::vector<bool>& gone)
+{
+    system_.discharge(gone);
 }
 
 

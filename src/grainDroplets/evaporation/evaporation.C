@@ -48,7 +48,7 @@ Foam::evaporation::evaporation
     hold_(0),
     taken_(0)
 {
-    for (const word& key : {"fromFluid", "fromGrains"})
+    for (const char* key : {"fromFluid", "fromGrains"})
     {
         if (!state_.found(key))
         {
@@ -161,6 +161,49 @@ Foam::scalarField Foam::evaporation::shares
 }
 
 
+Foam::scalar Foam::evaporation::smallCoefficient
+(
+    const label i,
+    const cellOverlap& o,
+    const scalar T
+) const
+{
+    const liquid& l = droplets_.properties();
+    const scalar B = max
+    (
+        gas_.capacity()/gas_.rho()[o.cell]*(T - l.boilingTemperature)
+       /l.latentHeat,
+        scalar(1e-6)
+    );
+    const scalar d = droplets_.system().fluidDiameter(i);
+    const scalar surfacePerVolume = 2*mesh_.nGeometricD()/d;
+    return
+        2*gas_.kappa()[o.cell]/d*std::log1p(B)/B*surfacePerVolume
+       *o.volume/mesh_.V()[o.cell];
+}
+
+
+void Foam::evaporation::remove(const std::vector<bool>& gone)
+{
+    for (const char* key : {"fromFluid", "fromGrains"})
+    {
+        const scalarField all(state_.lookup(key));
+        DynamicList<scalar> left;
+        forAll(all, i)
+        {
+            if (!gone[i])
+            {
+                left.append(all[i]);
+            }
+        }
+        state_.set(key, scalarField(left));
+    }
+    fromFluid_ = scalarField(droplets_.size(), Zero);
+    fromGrains_ = fromFluid_;
+    lost_ = fromFluid_;
+}
+
+
 void Foam::evaporation::startStep(const volScalarField& T)
 {
     const scalar latent = droplets_.properties().latentHeat;
@@ -174,6 +217,10 @@ void Foam::evaporation::startStep(const volScalarField& T)
         isThere[l.droplet] = 1;
     }
     sumOverRanks(isThere);
+    forAll(isThere, d)
+    {
+        isThere[d] = isThere[d] > 0 || droplets_.isSmall(d);
+    }
     const scalarField share(shares(links, T));
 
     scalarField fromFluid(state_.lookup("fromFluid"));
@@ -185,6 +232,11 @@ void Foam::evaporation::startStep(const volScalarField& T)
             isThere[d] > 0
           ? min(max(heat, scalar(0))/latent, droplets_.mass(d))
           : 0;
+        if (lost_[d] > 0 && droplets_.mass(d) - lost_[d] < droplets_.leastMass())
+        {
+            // What is left has no heat of its own: it is too little to tell
+            lost_[d] = droplets_.mass(d);
+        }
         if (lost_[d] > 0)
         {
             const scalar left = 1 - lost_[d]*latent/heat;
@@ -202,6 +254,18 @@ void Foam::evaporation::startStep(const volScalarField& T)
         vapour_[celli] +=
             share[i]*lost_[links[i].droplet]
            /(mesh_.V()[celli]*mesh_.time().deltaTValue());
+    }
+    for (label i = 0; i < droplets_.size(); ++i)
+    {
+        if (droplets_.isSmall(i))
+        {
+            for (const cellOverlap& o : droplets_.system().overlaps().of(i))
+            {
+                vapour_[o.cell] +=
+                    lost_[i]*o.volume/droplets_.system().mappedVolume()[i]
+                   /(mesh_.V()[o.cell]*mesh_.time().deltaTValue());
+            }
+        }
     }
 }
 
@@ -241,8 +305,8 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
     links_ = surface(cells.conductivity);
     cells.conductivity *= term_.conductance();
 
-    // A hundred-thousandth of the difference to the gas is left
-    hold_ = 1e5
+    // A ten-thousandth of the difference to the gas is left
+    hold_ = 1e4
        *(
             gas_.capacity()/mesh_.time().deltaTValue()
           + gMax
@@ -254,6 +318,20 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
                /mesh_.V().field()
             )
         );
+
+    smalls_.clear();
+    for (label i = 0; i < droplets_.size(); ++i)
+    {
+        if (droplets_.isSmall(i))
+        {
+            for (const cellOverlap& o : droplets_.system().overlaps().of(i))
+            {
+                const scalar h = smallCoefficient(i, o, T[o.cell]);
+                cells.add(o.cell, h, boiling);
+                smalls_.append({o.cell, i, 0, h*mesh_.V()[o.cell], 1});
+            }
+        }
+    }
 
     const scalarField vapour(vapourVolume());
     forAll(T, celli)
@@ -289,6 +367,12 @@ void Foam::evaporation::take(const volScalarField& T)
         }
         taken_ +=
             deltaT*V[celli]*gas_.capacity()*vapour[celli]*(T[celli] - boiling);
+    }
+    for (const link& l : smalls_)
+    {
+        const scalar heat = deltaT*l.conductance*(T[l.cell] - boiling);
+        all[l.droplet] += heat;
+        fromFluid_[l.droplet] += heat;
     }
     for (const link& l : links_)
     {

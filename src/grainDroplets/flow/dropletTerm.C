@@ -6,6 +6,7 @@
 #include "dropletTerm.H"
 
 #include "combineOverRanks.H"
+#include "implicitTransfer.H"
 
 
 Foam::dropletTerm::dropletTerm
@@ -16,7 +17,7 @@ Foam::dropletTerm::dropletTerm
 :
     droplets_(droplets),
     fluid_(fluid),
-    bodies_(droplets.system(), fluid, droplets.from()),
+    bodies_(droplets.system(), fluid, liquidDroplets::fewest),
     around_(fluid, droplets.properties())
 {}
 
@@ -39,8 +40,45 @@ void Foam::dropletTerm::forces
     force = vectorField(droplets_.size(), Zero);
     torque = vectorField(droplets_.size(), Zero);
     bodies_.addForce(U, force);
+    addForceOnSmall(U, force);
     sumOverRanks(force);
     bodies_.addViscousTorque(U, mu, torque);
+}
+
+
+void Foam::dropletTerm::addForceOnSmall
+(
+    const volVectorField& U,
+    vectorField& force
+) const
+{
+    const grainSystem& system = droplets_.system();
+    const grainMotion& motion = system.motion();
+    const buoyancy weight(system, fluid_);
+    const scalar deltaT = system.mesh().time().deltaTValue();
+    const scalar factor = system.mesh().nGeometricD() == 2 ? 14.7 : 18;
+
+    forAll(force, i)
+    {
+        if (!droplets_.isSmall(i) || motion.isFixed())
+        {
+            continue;
+        }
+        const scalar rho = motion.density(i);
+        const vector& v = motion.velocity(i);
+        for (const cellOverlap& o : system.overlaps().of(i))
+        {
+            const implicitTransfer<vector> drag
+            (
+                factor*fluid_.mu()[o.cell]/sqr(system.fluidDiameter(i)),
+                deltaT, rho,
+                v + deltaT*weight.of(i).acceleration(weight.rho(o.cell))
+            );
+            force[i] +=
+                weight.force(o.volume, o.cell)
+              + o.volume*drag.given(U[o.cell], Zero);
+        }
+    }
 }
 
 
@@ -52,9 +90,15 @@ Foam::vector Foam::dropletTerm::impulseOnOthers(const volVectorField& U) const
 
     const grainSystem& system = droplets_.system();
     const buoyancy weight(system, fluid_);
-    for (const cellOverlap& o : system.overlaps().all())
+    for (label i = 0; i < droplets_.size(); ++i)
     {
-        sum -= weight.force(o.volume, o.cell);
+        if (bodies_.isResolved(i))
+        {
+            for (const cellOverlap& o : system.overlaps().of(i))
+            {
+                sum -= weight.force(o.volume, o.cell);
+            }
+        }
     }
     return
         system.mesh().time().deltaTValue()

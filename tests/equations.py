@@ -14,7 +14,8 @@ THEORY = Path("doc/theory")
 CODE = {".C", ".H", ".cpp", ".hpp", ".py", ".md"}
 TAG = re.compile(r"\\tag\{(\d+\.\d+)\}")
 HEADING = re.compile(r"# (\d+)\. ")
-NUMBERS = r"[1-9]\.\d+(?:(?:,| to| and|, and) [1-9]\.\d+)*"
+NUMBER = r"(?:10|[1-9])\.\d+"
+NUMBERS = rf"{NUMBER}(?:(?:,| to| and|, and) {NUMBER})*"
 REFERENCE = re.compile(rf"\(({NUMBERS})\)")
 CITATION = re.compile(rf"doc/theory, eq\. ({NUMBERS})")
 

@@ -21,13 +21,14 @@ LIBRARIES = (
     "grainExchange",
     "vans",
     "grainThermal",
+    "grainDroplets",
     "grainFreeSurface",
     "grainRun",
     "functionObjects",
 )
 # Those that do not see each other, whatever their order
 APART = {frozenset({"overlap", "nscd"}), frozenset({"grainMapping", "grainClosures"})}
-APART |= {frozenset({"grainThermal", "grainFreeSurface"})}
+APART |= {frozenset({name, "grainFreeSurface"}) for name in ("grainThermal", "grainDroplets")}
 APART |= {frozenset({"grainClosures", name}) for name in ("overlap", "nscd", "grains")}
 MOST_FILES = 30
 CODE = {".C", ".H", ".cpp", ".hpp"}

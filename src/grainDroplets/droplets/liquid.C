@@ -25,7 +25,7 @@ const dictionary& checked(const dictionary& dict)
         dict,
         {
             "density", "latentHeat", "boilingTemperature", "mu", "kappa", "Cp",
-            "vapourDensity"
+            "film", "vapourDensity"
         }
     );
     return dict;
@@ -45,6 +45,13 @@ Foam::liquid::liquid(const dictionary& dict, const scalar fluidDensity)
     mu(dictionaryInput::getPositive(dict, "mu", dimDynamicViscosity)),
     kappa(dictionaryInput::getPositive(dict, "kappa", dimConductivity)),
     Cp(dictionaryInput::getPositive(dict, "Cp", dimHeatCapacity)),
+    film
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "film", dimConductivity, kappa
+        )
+    ),
     vapourDensity
     (
         dictionaryInput::getPositiveOrDefault

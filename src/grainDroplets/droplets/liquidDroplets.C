@@ -44,7 +44,7 @@ Foam::liquidDroplets::liquidDroplets
         )
     ),
     motionDict_(motionDict(mesh)),
-    system_(mesh, g, {"droplets", &motionDict_})
+    system_(mesh, g, {"droplets", &motionDict_, true})
 {
     // Masses are their own from now on, not that of their material
     evaporate(scalarField(size(), Zero));

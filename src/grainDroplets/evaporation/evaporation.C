@@ -14,7 +14,8 @@ Foam::evaporation::evaporation
 (
     liquidDroplets& droplets,
     const dropletTerm& term,
-    const thermalFluid& gas
+    const thermalFluid& gas,
+    const volScalarField& T
 )
 :
     droplets_(droplets),
@@ -54,6 +55,18 @@ Foam::evaporation::evaporation
         {
             state_.add(key, scalarField(droplets.size(), Zero));
         }
+    }
+
+    const liquid& l = droplets.properties();
+    const scalar least = gMin(T.primitiveField());
+    if (least < (1 - 1e-9)*l.boilingTemperature)
+    {
+        FatalIOErrorInFunction(droplets.dict())
+            << "Keyword 'boilingTemperature' of 'liquid' has the value "
+            << l.boilingTemperature << ", and the gas is colder: " << least
+            << " K" << nl
+            << "    allowed: at most the lowest temperature of 0/T, as vapour does"
+            << " not become liquid again" << exit(FatalIOError);
     }
 }
 

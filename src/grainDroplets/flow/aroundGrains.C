@@ -37,7 +37,7 @@ void Foam::aroundGrains::update(const resolvedTerm& droplets)
             rho_[celli] = liquid_.density;
             rhoWeight_[celli] = liquid_.density;
             mu_[celli] = liquid_.mu;
-            kappa_[celli] = liquid_.kappa;
+            kappa_[celli] = liquid_.film;
         }
     }
     rho_.correctBoundaryConditions();

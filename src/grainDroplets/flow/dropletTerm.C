@@ -5,6 +5,7 @@
 
 #include "dropletTerm.H"
 
+#include "cellSizes.H"
 #include "combineOverRanks.H"
 #include "implicitTransfer.H"
 
@@ -20,6 +21,25 @@ Foam::dropletTerm::dropletTerm
     bodies_(droplets.system(), fluid, liquidDroplets::fewest),
     around_(fluid, droplets.properties())
 {}
+
+
+void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
+{
+    const scalar most = 4*gMin(cellSizes(grains.mesh()));
+    for (label i = 0; i < grains.size(); ++i)
+    {
+        if (grains.fluidDiameter(i) >= most)
+        {
+            FatalIOErrorInFunction(grains.motion().coupling())
+                << "Keyword 'initialGrains' of constant/grainProperties: grain "
+                << grains.motion().id(i) << " has a diameter of "
+                << grains.fluidDiameter(i) << " m" << nl
+                << "    allowed: less than " << most << ", four cells, as the flow"
+                << " is resolved around droplets and not around grains"
+                << exit(FatalIOError);
+        }
+    }
+}
 
 
 void Foam::dropletTerm::update()

@@ -58,7 +58,10 @@ Foam::grainDynamics<D>::grainDynamics
 
     const grainChecks<D> checks(properties_, grains());
     checks.requireTolerance();
-    checks.requireMasses();
+    if (!set.changesMasses)
+    {
+        checks.requireMasses();
+    }
     checks.requireLaws();
     checks.requireRest();
     if (!restart)

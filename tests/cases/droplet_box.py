@@ -13,6 +13,7 @@ HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}
 DENSITY = 1000.0
 LATENT = 2.26e6
 BOILING = 373.15
+DROPLETS = "constant/dropletProperties"
 
 
 def with_droplets(
@@ -26,7 +27,7 @@ def with_droplets(
     lines = [",".join(repr(float(value)) for value in row) for row in rows]
     text = "\n".join(["x,y,z,radius,vx,vy", *lines, ""])
     (case.path / "constant/droplets.csv").write_text(text)
-    (case.path / "constant/dropletProperties").write_text(
+    (case.path / DROPLETS).write_text(
         HEADER.format(kind="dictionary", name="dropletProperties")
         + f"liquid {{ density {density}; latentHeat {latent}; boilingTemperature {BOILING};"
         + f" mu 2.8e-4; kappa 0.68; Cp 4200; {liquid} }}\n"
@@ -41,7 +42,7 @@ def droplet_table(case):
     return case.table("postProcessing/droplets/0/droplets.csv")
 
 
-def annulus(case, core, outer, cells, rings, offset=(0, 0)):
+def annulus(case, core, outer, cells, rings):
     """A mesh of squares around the origin, of half width 'core' and 'cells' across, between
     them and a circle of radius 'outer' 'rings' of cells; patch 'outer'."""
     a, b, z = float(core), float(outer / np.sqrt(2)), DEPTH

@@ -61,7 +61,8 @@ Foam::liquidDroplets::liquidDroplets
 void Foam::liquidDroplets::findSmall(const scalar cells)
 {
     const scalarField size(cellSizes(system_.mesh()));
-    scalarField mean(this->size(), Zero);
+    cellSize_ = scalarField(this->size(), Zero);
+    scalarField& mean = cellSize_;
     for (label i = 0; i < this->size(); ++i)
     {
         for (const cellOverlap& o : system_.overlaps().of(i))
@@ -73,10 +74,10 @@ void Foam::liquidDroplets::findSmall(const scalar cells)
     isSmall_.resize(this->size());
     forAll(mean, i)
     {
+        mean[i] /= max(system_.mappedVolume()[i], VSMALL);
+
         // As resolvedGrains has it
-        isSmall_[i] =
-            system_.fluidDiameter(i)*system_.mappedVolume()[i]
-          < (1 - 1e-6)*cells*mean[i];
+        isSmall_[i] = system_.fluidDiameter(i) < (1 - 1e-6)*cells*mean[i];
     }
 }
 

@@ -30,18 +30,8 @@ Foam::evaporation::evaporation
         )
      == "local"
     ),
-    state_
-    (
-        IOobject
-        (
-            "dropletHeat",
-            mesh_.time().timeName(),
-            "uniform",
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
+    waitingFromFluid_(state("dropletHeatFromFluid")),
+    waitingFromGrains_(state("dropletHeatFromGrains")),
     fromFluid_(droplets.size(), Zero),
     fromGrains_(droplets.size(), Zero),
     lost_(droplets.size(), Zero),
@@ -49,13 +39,8 @@ Foam::evaporation::evaporation
     hold_(0),
     taken_(0)
 {
-    for (const char* key : {"fromFluid", "fromGrains"})
-    {
-        if (!state_.found(key))
-        {
-            state_.add(key, scalarField(droplets.size(), Zero));
-        }
-    }
+    waitingFromFluid_.resize(droplets.size(), 0);
+    waitingFromGrains_.resize(droplets.size(), 0);
 
     const liquid& l = droplets.properties();
     const scalar least = gMin(T.primitiveField());
@@ -68,6 +53,20 @@ Foam::evaporation::evaporation
             << "    allowed: at most the lowest temperature of 0/T, as vapour does"
             << " not become liquid again" << exit(FatalIOError);
     }
+}
+
+
+Foam::IOobject Foam::evaporation::state(const word& name) const
+{
+    return IOobject
+    (
+        name,
+        mesh_.time().timeName(),
+        "uniform",
+        mesh_,
+        IOobject::READ_IF_PRESENT,
+        IOobject::AUTO_WRITE
+    );
 }
 
 
@@ -139,9 +138,6 @@ Foam::scalarField Foam::evaporation::shares
     const volScalarField& T
 ) const
 {
-    const scalarField fromFluid(state_.lookup("fromFluid"));
-    const scalarField fromGrains(state_.lookup("fromGrains"));
-
     scalarField heat(links.size());
     scalarField allHeat(droplets_.size(), Zero);
     scalarField allArea(droplets_.size(), Zero);
@@ -160,8 +156,8 @@ Foam::scalarField Foam::evaporation::shares
     forAll(links, i)
     {
         const label d = links[i].droplet;
-        const scalar byFluid = max(fromFluid[d], scalar(0));
-        const scalar byGrains = max(fromGrains[d], scalar(0));
+        const scalar byFluid = max(waitingFromFluid_[d], scalar(0));
+        const scalar byGrains = max(waitingFromGrains_[d], scalar(0));
         const scalar local =
             isLocal_ && allHeat[d] > 0
           ? byFluid/max(byFluid + byGrains, VSMALL)
@@ -188,28 +184,31 @@ Foam::scalar Foam::evaporation::smallCoefficient
        /l.latentHeat,
         scalar(1e-6)
     );
-    const scalar d = droplets_.system().fluidDiameter(i);
-    const scalar surfacePerVolume = 2*mesh_.nGeometricD()/d;
+    // Where the steady profile around a source in a cell has the cell's temperature
+    const bool isPlane = mesh_.nGeometricD() == 2;
+    const scalar radius = 0.5*droplets_.system().fluidDiameter(i);
+    const scalar reach = (isPlane ? 0.2 : 0.315)*droplets_.cellSize(i);
+    const scalar part = min(radius/reach, scalar(0.9));
+    const scalar surfacePerVolume = mesh_.nGeometricD()/radius;
     return
-        2*gas_.kappa()[o.cell]/d*std::log1p(B)/B*surfacePerVolume
-       *o.volume/mesh_.V()[o.cell];
+        gas_.kappa()[o.cell]/(radius*(isPlane ? -std::log(part) : 1 - part))
+       *std::log1p(B)/B*surfacePerVolume*o.volume/mesh_.V()[o.cell];
 }
 
 
 void Foam::evaporation::remove(const std::vector<bool>& gone)
 {
-    for (const char* key : {"fromFluid", "fromGrains"})
+    for (IOField<scalar>* waiting : {&waitingFromFluid_, &waitingFromGrains_})
     {
-        const scalarField all(state_.lookup(key));
-        DynamicList<scalar> left;
-        forAll(all, i)
+        label left = 0;
+        forAll(*waiting, i)
         {
             if (!gone[i])
             {
-                left.append(all[i]);
+                (*waiting)[left++] = (*waiting)[i];
             }
         }
-        state_.set(key, scalarField(left));
+        waiting->resize(left);
     }
     fromFluid_ = scalarField(droplets_.size(), Zero);
     fromGrains_ = fromFluid_;
@@ -236,11 +235,9 @@ void Foam::evaporation::startStep(const volScalarField& T)
     }
     const scalarField share(shares(links, T));
 
-    scalarField fromFluid(state_.lookup("fromFluid"));
-    scalarField fromGrains(state_.lookup("fromGrains"));
     forAll(lost_, d)
     {
-        const scalar heat = fromFluid[d] + fromGrains[d];
+        const scalar heat = waitingFromFluid_[d] + waitingFromGrains_[d];
         lost_[d] =
             isThere[d] > 0
           ? min(max(heat, scalar(0))/latent, droplets_.mass(d))
@@ -253,12 +250,10 @@ void Foam::evaporation::startStep(const volScalarField& T)
         if (lost_[d] > 0)
         {
             const scalar left = 1 - lost_[d]*latent/heat;
-            fromFluid[d] *= left;
-            fromGrains[d] *= left;
+            waitingFromFluid_[d] *= left;
+            waitingFromGrains_[d] *= left;
         }
     }
-    state_.set("fromFluid", fromFluid);
-    state_.set("fromGrains", fromGrains);
 
     vapour_ = scalarField(mesh_.nCells(), Zero);
     forAll(links, i)
@@ -398,21 +393,12 @@ void Foam::evaporation::take(const volScalarField& T)
     reduce(taken_, sumOp<scalar>());
     taken_ += sum(all);
 
-    state_.set
-    (
-        "fromFluid", scalarField(scalarField(state_.lookup("fromFluid")) + fromFluid_)
-    );
-    state_.set
-    (
-        "fromGrains",
-        scalarField(scalarField(state_.lookup("fromGrains")) + fromGrains_)
-    );
+    waitingFromFluid_ += fromFluid_;
+    waitingFromGrains_ += fromGrains_;
 }
 
 
 Foam::scalar Foam::evaporation::waiting() const
 {
-    return
-        sum(scalarField(state_.lookup("fromFluid")))
-      + sum(scalarField(state_.lookup("fromGrains")));
+    return sum(waitingFromFluid_) + sum(waitingFromGrains_);
 }

@@ -1,0 +1,215 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Droplets that evaporate, move and take grains in."""
+
+import numpy as np
+import pytest
+from droplet_box import (
+    BOILING,
+    DENSITY,
+    DROPLETS,
+    LATENT,
+    annulus,
+    droplet_table,
+    with_droplets,
+)
+from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
+from heat_box import GRAIN_CP, heat_ledger, with_heat, write_T
+
+FLUID = "constant/transportProperties"
+GAS_RHO, GAS_CP, GAS_K = 1.2, 1040.0, 0.026
+GAS = f"Cp {GAS_CP}; kappa {GAS_K};"
+WALLS = '"left|right|bottom|top"'
+
+
+def make_gas(case, nu=1.6e-5):
+    replace(case, FLUID, "rho     [1 -3 0 0 0 0 0] 1000;", f"rho {GAS_RHO};")
+    replace(case, FLUID, "1e-4;", f"{nu};")
+
+
+def in_annulus(clone, B, cells, offset, outer=4e-3, radius=1e-3, **droplet):
+    """A droplet of 'cells' across in a circle of hot gas, with the exact temperature
+    T - T_d = L/c ((r/R)^a - 1), a = ln(1 + B)/ln(R_o/R), of a droplet that does not shrink."""
+    case = clone("grainBox")
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n")
+    h = 2 * radius / cells
+    across = round(1.6 * cells)
+    annulus(case, across * h / 2, outer, across, round(2.2e-3 / h))
+    centres = np.array([polygon.mean(axis=0) for polygon in case.mesh().polygons])
+    r = np.linalg.norm(centres, axis=1)
+    a = np.log1p(B) / np.log(outer / radius)
+    T = BOILING + LATENT / GAS_CP * (np.maximum(r / radius, 1) ** a - 1)
+    hot = f"type fixedValue; value uniform {BOILING + B * LATENT / GAS_CP!r};"
+    with_heat(case, grains=300, patches=f"outer {{ {hot} }}", fluid=GAS, convection="linear")
+    write_T(case, T, f"outer {{ {hot} }} frontAndBack {{ type empty; }}")
+    make_gas(case)
+    replace(case, "0/U", f"{WALLS}\n    {{\n        type    noSlip;", "outer { type zeroGradient;")
+    fixed = "outer { type fixedValue; value uniform 0;"
+    replace(case, "0/p_rgh", f"{WALLS}\n    {{\n        type    zeroGradient;", fixed)
+    return with_droplets(case, [np.array(offset) * h], radius, **droplet)
+
+
+@pytest.mark.parametrize("B", [0.14, 1.0])
+@pytest.mark.parametrize("offset", [(0, 0), (0.3, 0.1)], ids=["centred", "off"])
+def test_a_droplet_at_rest_evaporates_as_stefan_says(clone, B, offset):
+    """2 pi k/c ln(1 + B)/ln(R_o/R) per length, 8 cells across: 0.3 to 0.7 % were measured."""
+    case = in_annulus(clone, B, 8, offset, entries="motion fixed;", density=1e9)
+    control(case, endTime=0.4, deltaT=2e-3, writeInterval=1000)
+    case.run("grainDropletFoam")
+    rate = droplet_table(case)["vapour"][-1] / 2e-3
+    exact = 2 * np.pi * GAS_K * DEPTH / GAS_CP * np.log1p(B) / np.log(4)
+    assert rate == pytest.approx(exact, rel=0.01)
+
+
+def test_a_droplet_evaporates_to_the_last(clone):
+    """The annulus with R(t); the last 1.5 cells by the law of a sphere at rest."""
+    B, radius, outer, density = 1.0, 1e-3, 4e-3, 100
+    case = in_annulus(clone, B, 8, (0, 0), density=density)
+
+    def area(y):
+        return y * (np.log(outer) - 0.5 * np.log(y) + 0.5)
+
+    life = area(radius**2) / (2 * GAS_K / (density * GAS_CP) * np.log1p(B))
+    control(case, endTime=1.2 * life, deltaT=2e-3, writeInterval=10000)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    assert book["time"][-1] == pytest.approx(life, rel=0.03)
+    mass = density * np.pi * radius**2 * DEPTH
+    assert book["vapour"].sum() == pytest.approx(mass, rel=1e-10)
+    assert case.logged("Droplets  ")[-1] == 0
+    assert heat_ledger(case)["fluidError"].max() < 1e-8
+
+
+@pytest.mark.parametrize("density", [500, 1250, 2500])
+def test_without_heat_a_droplet_moves_as_a_resolved_grain(clone, density):
+    place, radius = (0.048, 0.055), 0.022
+    grain = with_heat(grain_box(clone, [place], radius, name="grain"), T=BOILING, grains=BOILING)
+    replace(grain, "constant/grainProperties", "density 2500;", f"density {density};")
+    grain.run("grainThermalFoam")
+    case = with_heat(grain_box(clone, name="droplet"), T=BOILING, grains=BOILING)
+    with_droplets(case, [place], radius, density=density)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    fallen = np.array([book["x"][-1], book["y"][-1]]) - place
+    # The droplet's file has twelve digits, and its mass is that of the volume in the mesh
+    np.testing.assert_allclose(fallen, grain.grains()["position"][0] - place, rtol=1e-6, atol=1e-9)
+    assert np.abs(book["vapour"]).max() < 1e-12
+
+
+def test_a_droplet_that_goes_with_a_stream_leaves_it_uniform(clone):
+    speed = 0.1
+    case = grain_box(clone)
+    open_ends(case, speed)
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
+    case.run("blockMesh")
+    with_heat(case, T=BOILING, grains=BOILING)
+    with_droplets(case, [(0.048, 0.045)], 0.022, velocity=[(0, speed)], density=2000)
+    case.run("grainDropletFoam")
+    U = case.field("U")
+    np.testing.assert_allclose(U[:, 1], speed, rtol=1e-9)
+    np.testing.assert_allclose(U[:, 0], 0, atol=1e-9 * speed)
+    np.testing.assert_allclose(case.field("T"), BOILING, rtol=1e-9)
+
+
+def hot_grains_inside(clone, name=None, **heat):
+    """Four hot grains that fall through a droplet in gas."""
+    centres = [(0.045 + 0.01 * i, 0.05 + 0.0101 * j) for i in range(2) for j in range(2)]
+    case = with_heat(
+        grain_box(clone, centres, 0.002, name=name), T=BOILING, grains=BOILING + 100, fluid=GAS, **heat
+    )
+    make_gas(case)
+    return with_droplets(case, [(0.05, 0.055)], 0.02)
+
+
+def test_books_of_a_droplet_with_hot_grains_inside(clone):
+    """Volume, water, heat and momentum."""
+    case = hot_grains_inside(clone)
+    open_top(case)
+    case.run("grainDropletFoam")
+    book, momentum, heat = droplet_table(case), ledger(case), heat_ledger(case)
+    assert book["inside"][0] == pytest.approx(4 * np.pi * 0.002**2 * DEPTH, rel=1e-9)
+    assert book["volumeError"].max() < 1e-12
+    water = book["liquid"][-1] + book["vapour"].sum()
+    assert water == pytest.approx(DENSITY * np.pi * 0.02**2 * DEPTH, rel=1e-9)
+    # The heat of a step gives vapour in the next one
+    gained = (book["fromFluid"] + book["fromGrains"])[:-1].sum()
+    assert LATENT * book["vapour"].sum() == pytest.approx(gained, rel=1e-9)
+    assert momentum["momentumError"].max() < 1e-10
+    assert heat["fluidError"].max() < 1e-8
+    assert heat["grainError"].max() < 1e-10
+    # What grains lose the droplet gets but for what is left in its cells
+    lost = -heat["exchanged"].sum()
+    assert book["fromGrains"].sum() == pytest.approx(lost, rel=2e-3)
+
+
+def test_grains_inside_cool_as_lumps(clone):
+    """Held in a droplet that is held they follow exp(-t Nu k S/(V rho c d)) with Nu = 2."""
+    case = hot_grains_inside(clone, law="type RanzMarshall; shape sphere;")
+    open_top(case)
+    replace(case, "constant/grainProperties", "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")
+    file = case.path / DROPLETS
+    file.write_text(file.read_text() + "motion fixed;\n")
+    case.run("grainDropletFoam")
+    d = 0.004
+    rate = 2 * 0.68 / d * 6 / d / (2500 * GRAIN_CP)
+    T = case.grains()["temperature"] - BOILING
+    np.testing.assert_allclose(T, 100 * np.exp(-rate * 0.05), rtol=0.01)
+
+
+def open_top(case):
+    """Vapour leaves through the top."""
+    top = "top { type pressureInletOutletVelocity; value uniform (0 0 0); }"
+    replace(case, "0/U", WALLS, f'{top}\n    "left|right|bottom"')
+    replace(case, "0/p_rgh", WALLS, 'top { type fixedValue; value uniform 0; }\n    "left|right|bottom"')
+
+
+def falling(clone, name):
+    case = hot_grains_inside(clone, name)
+    open_top(case)
+    control(case, endTime=0.04, writeInterval=20)
+    return case
+
+
+def test_restart_and_ranks(clone):
+    whole, parts = falling(clone, "whole"), falling(clone, "parts")
+    whole.run("grainDropletFoam")
+    control(parts, endTime=0.02)
+    parts.run("grainDropletFoam")
+    control(parts, endTime=0.04)
+    parts.run("grainDropletFoam")
+    for name in ("U", "T", "p_rgh"):
+        np.testing.assert_array_equal(parts.field(name), whole.field(name))
+
+    ranks = falling(clone, "ranks")
+    ranks.parallel("grainDropletFoam", 2)
+    one, two = droplet_table(whole), droplet_table(ranks)
+    for column in ("y", "liquid", "radius"):
+        np.testing.assert_allclose(two[column], one[column], rtol=1e-8)
+
+
+BAD = {
+    "small": ("0.02", "0.01", "fewer than 4 cells across"),
+    "cold": ("boilingTemperature 373.15", "boilingTemperature 400", "'boilingTemperature'"),
+    "missing": ("latentHeat 2260000.0;", "", "'latentHeat'"),
+    "negative": ("mu 2.8e-4", "mu -1", "'mu'"),
+    "unknown": ("liquid {", "vapor on; liquid {", "'vapor'"),
+}
+
+
+@pytest.mark.parametrize("old, new, said", BAD.values(), ids=BAD)
+def test_bad_input_is_named(clone, old, new, said):
+    case = hot_grains_inside(clone)
+    open_top(case)
+    file = "constant/droplets.csv" if old == "0.02" else DROPLETS
+    replace(case, file, old, new)
+    case.run("grainDropletFoam", check=False)
+    assert said in case.log
+    assert "FOAM FATAL" in case.log
+    assert "Time = " not in case.log
+
+
+def test_resolved_grains_are_refused(clone):
+    case = with_heat(grain_box(clone, [(0.05, 0.025)], 0.021), T=BOILING, grains=BOILING)
+    with_droplets(case, [(0.05, 0.075)], 0.022)
+    case.run("grainDropletFoam", check=False)
+    assert "resolved around droplets" in case.log

@@ -181,6 +181,7 @@ def test_restart_and_ranks(clone):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 
     ranks = falling(clone, "ranks")
+    ranks.run("decomposePar")
     ranks.parallel("grainDropletFoam", 2)
     one, two = droplet_table(whole), droplet_table(ranks)
     for column in ("y", "liquid", "radius"):

@@ -222,6 +222,19 @@ def test_restart_and_ranks(clone):
         np.testing.assert_allclose(two[column], one[column], rtol=1e-8)
 
 
+def test_adjustable_steps_follow_the_droplet(clone):
+    case = falling(clone, "adjusting")
+    entries = "adjustTimeStep yes; maxCo 10; maxGrainCo 10; maxDropletCo 0.05;\n\nfunctions"
+    replace(case, "system/controlDict", "functions", entries)
+    control(case, endTime=0.1, deltaT=2e-3)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    way, h = np.abs(np.diff(book["y"])), 0.01
+    assert way.max() < 0.05 * h * (1 + 1e-6)
+    assert way[-1] > 0.04 * h
+    assert book["vapour"].sum() + book["liquid"][-1] == pytest.approx(book["liquid"][0], rel=1e-9)
+
+
 BAD = {
     "small": ("0.02", "0.01", "fewer than 4 cells across"),
     "cold": ("boilingTemperature 373.15", "boilingTemperature 400", "'boilingTemperature'"),

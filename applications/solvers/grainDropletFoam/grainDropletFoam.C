@@ -64,7 +64,7 @@ int main(int argc, char *argv[])
     {
         carried.startStep();
         exchange.inject(fields.U);
-        timeStep.set(flow.relativePhiU());
+        timeStep.set(flow.relativePhiU(), droplets.limits());
         ++runTime;
 
         ledger.startStep(flow.relativePhiU());

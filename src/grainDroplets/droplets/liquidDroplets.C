@@ -299,3 +299,26 @@ void Foam::liquidDroplets::meshChanged()
 {
     system_.meshChanged();
 }
+
+
+std::vector<std::pair<const char*, Foam::scalar>>
+Foam::liquidDroplets::limits() const
+{
+    const scalar most = dictionaryInput::getPositiveOrDefault
+    (
+        system_.mesh().time().controlDict(), "maxDropletCo", dimless, 0.25
+    );
+    // With the fall from the present speed v: v dt + g dt^2 is the way
+    const scalar g = mag(system_.motion().g());
+    scalar longest = GREAT;
+    for (label i = 0; i < size(); ++i)
+    {
+        const scalar way = most*cellSize_[i];
+        const scalar v = mag(system_.motion().velocity(i));
+        longest = min
+        (
+            longest, 2*way/max(v + std::sqrt(sqr(v) + 4*g*way), VSMALL)
+        );
+    }
+    return {{"maxDropletCo", longest}};
+}

@@ -6,6 +6,7 @@
 #include "lockedGrains.H"
 
 #include "fvc.H"
+#include "reconstruction.H"
 #include "zeroGradientFvPatchFields.H"
 
 void Foam::lockedGrains::startCorrections
@@ -132,13 +133,13 @@ void Foam::lockedGrains::correctForce
         beside*rhoBeside*(flux - flux.oldTime())/mesh_.time().deltaT()
     );
     const surfaceScalarField missing((1 - fluidPart)*full);
-    force += locked()*fvc::reconstruct(full) - fvc::reconstruct(missing);
+    force += locked()*reconstructed(full) - reconstructed(missing);
 
     if (grains_.motion().isFixed())
     {
         force +=
             (1 - 2*locked())
-           *fvc::reconstruct(cells_.continued(faceForce - missing));
+           *reconstructed(cells_.continued(faceForce - missing));
         return;
     }
 
@@ -159,11 +160,11 @@ void Foam::lockedGrains::correctForce
         );
         seen -= own;
         force +=
-            locked()*fvc::reconstruct(own/max(1 - fluidPart, scalar(SMALL)))
-          - fvc::reconstruct(own);
+            locked()*reconstructed(own/max(1 - fluidPart, scalar(SMALL)))
+          - reconstructed(own);
     }
     force +=
-        (1 - 2*locked())*fvc::reconstruct(lighter*cells_.continued(seen));
+        (1 - 2*locked())*reconstructed(lighter*cells_.continued(seen));
 }
 
 

@@ -9,6 +9,7 @@
 
 #include "ddtScheme.H"
 #include "fvCFD.H"
+#include "reconstruction.H"
 
 namespace
 {
@@ -124,9 +125,9 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
             "pressureForce",
             step.share
            *(
-                fvc::reconstruct(faceForce)
+                reconstructed(faceForce)
               + kinks*step.bByShare
-              - kinks*step.betaByShare*fvc::reconstruct(phiAlpha)
+              - kinks*step.betaByShare*reconstructed(phiAlpha)
             )
         )
     );

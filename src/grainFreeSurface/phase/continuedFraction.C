@@ -123,6 +123,17 @@ void Foam::continuedFraction::start
 }
 
 
+void Foam::continuedFraction::restart
+(
+    const volScalarField& alpha,
+    const volScalarField& eps
+)
+{
+    findCovered(eps);
+    keep(alpha);
+}
+
+
 void Foam::continuedFraction::update
 (
     volScalarField& alpha,

@@ -254,7 +254,11 @@ void Foam::phaseFraction::carry
 
 void Foam::phaseFraction::beforeMeshChange(const transportFlux& flux)
 {
-    continued_.restore(fluid_.alpha());
+    volScalarField held("alphaHeld", fluid_.alpha());
+    continued_.restore(held);
+
+    // One at a time, as there is one name in the registry
+    content_.clear();
     content_.reset
     (
         new volScalarField
@@ -264,7 +268,7 @@ void Foam::phaseFraction::beforeMeshChange(const transportFlux& flux)
                 "alphaContent", flux.flux().time().timeName(),
                 flux.flux().mesh()
             ),
-            flux.fraction()*fluid_.alpha()
+            flux.fraction()*held
         )
     );
 }
@@ -281,7 +285,7 @@ void Foam::phaseFraction::meshChanged
     {
         alpha.primitiveFieldRef() =
             content_().primitiveField()/flux.fraction().primitiveField();
-        continued_.start(alpha, eps);
+        continued_.restart(alpha, eps);
     }
     continued_.apply(alpha);
     alpha.correctBoundaryConditions();

@@ -80,7 +80,7 @@ def test_stop_and_restart(clone):
     for case in (whole, parts):
         adjusting(case, end=0.08)
     run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
-    assert "Grains continue from" in parts.log
+    assert "The grains continue from" in parts.log
     assert len(set(np.round(steps(whole), 7))) > 5
     assert_same(whole, parts)
     assert track_lines(whole) == track_lines(parts)

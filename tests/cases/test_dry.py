@@ -121,7 +121,7 @@ def test_restart_is_the_uninterrupted_run(clone, dimension):
         control(case, endTime=0.06, writeInterval=30)
     whole, parts = cases
     run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.03, end=0.06)
-    assert "Grains continue from" in parts.log
+    assert "The grains continue from" in parts.log
     assert whole.logged("Contacts  ").max() >= 30
     assert_same_grains(whole, parts)
 

@@ -137,7 +137,7 @@ def test_channel_of_gmsh_on_two_ranks_with_a_restart(clone):
             control(case, endTime=stop)
             case.parallel("grainFoam", 2)
         case.run("reconstructPar")
-    assert "Grains continue from" in (parts.path / "log.grainFoam").read_text()
+    assert "The grains continue from" in (parts.path / "log.grainFoam").read_text()
     assert_same_grains(whole, parts)
     for name in ("U", "p_rgh", "eps"):
         np.testing.assert_array_equal(whole.field(name), parts.field(name), err_msg=name)

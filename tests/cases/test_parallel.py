@@ -82,7 +82,7 @@ def test_two_ranks_continue_on_one(clone):
 
     control(parts, endTime=0.1)
     parts.run("grainFoam")
-    assert "Grains continue from" in parts.log
+    assert "The grains continue from" in parts.log
     difference = whole.grains("0.1")["position"] - parts.grains("0.1")["position"]
     assert np.abs(difference).max() <= TOLERANCE
 

@@ -51,7 +51,7 @@ def test_stop_and_restart(clone, grains):
     for case in (whole, parts):
         control(case, endTime=0.08, writeInterval=40)
     run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
-    assert "Grains continue from" in parts.log
+    assert "The grains continue from" in parts.log
     if grains == "pile":
         assert whole.logged("Contacts  ").min() >= 30
     assert_same(whole, parts)

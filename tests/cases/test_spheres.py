@@ -156,7 +156,7 @@ def test_stop_and_restart(clone, mesh):
     for case in (whole, parts):
         control(case, writeFormat="binary")
     run_whole_and_parts(whole, parts, "grainFoam", stop=0.03, end=0.06)
-    assert "Grains continue from" in parts.log
+    assert "The grains continue from" in parts.log
     assert_same_grains(whole, parts)
     for name in ("U", "p", "p_rgh", "eps"):
         np.testing.assert_array_equal(field(whole, name), field(parts, name), err_msg=name)

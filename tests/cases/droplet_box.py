@@ -8,12 +8,17 @@
 
 import numpy as np
 from grain_box import DEPTH, replace
+from heat_box import with_heat, write_T
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
 DENSITY = 1000.0
 LATENT = 2.26e6
 BOILING = 373.15
 DROPLETS = "constant/dropletProperties"
+FLUID = "constant/transportProperties"
+GAS_RHO, GAS_CP, GAS_K = 1.2, 1040.0, 0.026
+GAS = f"Cp {GAS_CP}; kappa {GAS_K};"
+WALLS = '"left|right|bottom|top"'
 
 
 def with_droplets(
@@ -71,3 +76,50 @@ def annulus(case, core, outer, cells, rings):
     replace(case, "constant/g", "-9.81", "0")
     replace(case, "constant/grainProperties", "(left right bottom top)", "(outer)")
     case.run("blockMesh")
+
+
+def make_gas(case, nu=1.6e-5):
+    replace(case, FLUID, "rho     [1 -3 0 0 0 0 0] 1000;", f"rho {GAS_RHO};")
+    replace(case, FLUID, "1e-4;", f"{nu};")
+
+
+def in_annulus(clone, B, cells, offset, outer=4e-3, radius=1e-3, **droplet):
+    """A droplet of 'cells' across in a circle of hot gas, with the exact temperature
+    T - T_d = L/c ((r/R)^a - 1), a = ln(1 + B)/ln(R_o/R), of a droplet that does not shrink."""
+    a = np.log1p(B) / np.log(outer / radius)
+
+    def T(r):
+        return BOILING + LATENT / GAS_CP * (np.maximum(r / radius, 1) ** a - 1)
+
+    return in_circle(clone, T, cells, offset, outer, radius, **droplet)
+
+
+def in_circle(clone, T, cells, offset, outer, radius, fluid=GAS, **droplet):
+    """A droplet of 'cells' across in an open circle of gas of temperature T(r)."""
+    case = clone("grainBox")
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n")
+    h = 2 * radius / cells
+    across = round(1.6 * cells)
+    annulus(case, across * h / 2, outer, across, round((outer - 1.8 * radius) / h))
+    hot = f"type fixedValue; value uniform {float(T(outer))!r};"
+    with_heat(case, grains=300, patches=f"outer {{ {hot} }}", fluid=fluid, convection="linear")
+    write_T(case, T(distances(case)), f"outer {{ {hot} }} frontAndBack {{ type empty; }}")
+    make_gas(case)
+    replace(case, "0/U", f"{WALLS}\n    {{\n        type    noSlip;", "outer { type zeroGradient;")
+    fixed = "outer { type fixedValue; value uniform 0;"
+    replace(case, "0/p_rgh", f"{WALLS}\n    {{\n        type    zeroGradient;", fixed)
+    return with_droplets(case, [np.array(offset) * h], radius, **droplet)
+
+
+def distances(case):
+    """Of the cells from the origin."""
+    centres = np.array([polygon.mean(axis=0) for polygon in case.mesh().polygons])
+    return np.linalg.norm(centres, axis=1)
+
+
+def open_top(case):
+    """Vapour leaves through the top."""
+    top = "top { type pressureInletOutletVelocity; value uniform (0 0 0); }"
+    replace(case, "0/U", WALLS, f'{top}\n    "left|right|bottom"')
+    top = "top { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", WALLS, f'{top}\n    "left|right|bottom"')

@@ -13,7 +13,6 @@ GRAINS = "constant/grainProperties"
 CP = 1000.0
 KAPPA = 0.6
 GRAIN_CP = 800.0
-BEGIN = "FoamFile { version 2.0; format ascii; class volScalarField; object T; }\n"
 SOLVER = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-15; relTol 0; maxIter 500; }"
 
 
@@ -47,14 +46,28 @@ def with_heat(
 
 
 def write_T(case, T, patches):
-    T = np.atleast_1d(np.asarray(T, dtype=float))
-    inside = f"uniform {float(T[0])!r}" if len(T) == 1 else "nonuniform List<scalar> %d(\n%s\n)" % (
-        len(T), "\n".join(repr(float(value)) for value in T)
-    )
-    (case.path / "0/T").write_text(
-        f"{BEGIN}dimensions [0 0 0 1 0 0 0];\ninternalField {inside};\n"
+    write_scalar(case, "T", "0 0 0 1 0 0 0", T, patches)
+
+
+def write_scalar(case, name, dimensions, values, patches):
+    """A number or one per cell."""
+    values = np.atleast_1d(np.asarray(values, dtype=float))
+    inside = f"uniform {float(values[0])!r}"
+    if len(values) > 1:
+        inside = f"nonuniform List<scalar> {len(values)}({' '.join(map(repr, values.tolist()))})"
+    (case.path / "0" / name).write_text(
+        f"FoamFile {{ version 2.0; format ascii; class volScalarField; object {name}; }}\n"
+        f"dimensions [{dimensions}];\ninternalField {inside};\n"
         f"boundaryField {{ {patches} }}\n"
     )
+
+
+def with_psi(case, psi, patches, convection="upwind"):
+    """Vapour, a number or one per cell, in a case with heat whose fluid has 'vapour'."""
+    write_scalar(case, "psi", "0 0 0 0 0 0 0", psi, patches)
+    replace(case, "system/fvSolution", "    T {", f"    psi {SOLVER}\n    T {{")
+    scheme = f"    div(phiFluid,psi) Gauss {convection};\n"
+    replace(case, "system/fvSchemes", "    div(tau)", f"{scheme}    div(tau)")
 
 
 def heat_ledger(case):

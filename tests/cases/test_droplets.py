@@ -9,46 +9,20 @@ from droplet_box import (
     BOILING,
     DENSITY,
     DROPLETS,
+    FLUID,
+    GAS,
+    GAS_CP,
+    GAS_K,
     LATENT,
-    annulus,
     droplet_table,
+    in_annulus,
+    make_gas,
+    open_top,
     with_droplets,
 )
 from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
-from heat_box import GRAIN_CP, heat_ledger, with_heat, write_T
+from heat_box import GRAIN_CP, heat_ledger, with_heat
 from sphere_box import sphere_box
-
-FLUID = "constant/transportProperties"
-GAS_RHO, GAS_CP, GAS_K = 1.2, 1040.0, 0.026
-GAS = f"Cp {GAS_CP}; kappa {GAS_K};"
-WALLS = '"left|right|bottom|top"'
-
-
-def make_gas(case, nu=1.6e-5):
-    replace(case, FLUID, "rho     [1 -3 0 0 0 0 0] 1000;", f"rho {GAS_RHO};")
-    replace(case, FLUID, "1e-4;", f"{nu};")
-
-
-def in_annulus(clone, B, cells, offset, outer=4e-3, radius=1e-3, **droplet):
-    """A droplet of 'cells' across in a circle of hot gas, with the exact temperature
-    T - T_d = L/c ((r/R)^a - 1), a = ln(1 + B)/ln(R_o/R), of a droplet that does not shrink."""
-    case = clone("grainBox")
-    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n")
-    h = 2 * radius / cells
-    across = round(1.6 * cells)
-    annulus(case, across * h / 2, outer, across, round(2.2e-3 / h))
-    centres = np.array([polygon.mean(axis=0) for polygon in case.mesh().polygons])
-    r = np.linalg.norm(centres, axis=1)
-    a = np.log1p(B) / np.log(outer / radius)
-    T = BOILING + LATENT / GAS_CP * (np.maximum(r / radius, 1) ** a - 1)
-    hot = f"type fixedValue; value uniform {BOILING + B * LATENT / GAS_CP!r};"
-    with_heat(case, grains=300, patches=f"outer {{ {hot} }}", fluid=GAS, convection="linear")
-    write_T(case, T, f"outer {{ {hot} }} frontAndBack {{ type empty; }}")
-    make_gas(case)
-    replace(case, "0/U", f"{WALLS}\n    {{\n        type    noSlip;", "outer { type zeroGradient;")
-    fixed = "outer { type fixedValue; value uniform 0;"
-    replace(case, "0/p_rgh", f"{WALLS}\n    {{\n        type    zeroGradient;", fixed)
-    return with_droplets(case, [np.array(offset) * h], radius, **droplet)
 
 
 @pytest.mark.parametrize("B", [0.14, 1.0])
@@ -187,14 +161,6 @@ def test_grains_inside_cool_as_lumps(clone):
     rate = 2 * 0.68 / d * 6 / d / (2500 * GRAIN_CP)
     T = case.grains()["temperature"] - BOILING
     np.testing.assert_allclose(T, 100 * np.exp(-rate * 0.05), rtol=0.01)
-
-
-def open_top(case):
-    """Vapour leaves through the top."""
-    top = "top { type pressureInletOutletVelocity; value uniform (0 0 0); }"
-    replace(case, "0/U", WALLS, f'{top}\n    "left|right|bottom"')
-    top = "top { type fixedValue; value uniform 0; }"
-    replace(case, "0/p_rgh", WALLS, f'{top}\n    "left|right|bottom"')
 
 
 def falling(clone, name):

@@ -5,7 +5,7 @@
 import numpy as np
 import pytest
 from grain_box import control, grain_box, lattice, replace
-from heat_box import GRAINS, SOLVER, with_heat
+from heat_box import GRAINS, with_heat, with_psi
 
 RADIUS = 0.004
 
@@ -13,21 +13,13 @@ RADIUS = 0.004
 def with_vapour(case, value, law=""):
     """psi of a value, or one per cell; and a law between grain and wall."""
     with_heat(case, fluid="Cp 1000; kappa 0.6; vapour { D 1e-5; }")
-    value = np.atleast_1d(np.asarray(value, dtype=float))
-    inside = f"uniform {float(value[0])!r}"
-    if len(value) > 1:
-        inside = f"nonuniform List<scalar> {len(value)}({' '.join(map(repr, value.tolist()))})"
-    (case.path / "0/psi").write_text(
-        "FoamFile { version 2.0; format ascii; class volScalarField; object psi; }\n"
-        f"dimensions [0 0 0 0 0 0 0];\ninternalField {inside};\n"
-        'boundaryField { "left|right|bottom|top" { type zeroGradient; }'
-        " frontAndBack { type empty; } }\n"
+    with_psi(
+        case,
+        value,
+        '"left|right|bottom|top" { type zeroGradient; } frontAndBack { type empty; }',
     )
     if law:
         replace(case, GRAINS, "type        Coulomb;\n        friction    0.2;", law)
-    replace(case, "system/fvSolution", "    T {", f"    psi {SOLVER}\n    T {{")
-    scheme = "    div(phiFluid,psi) Gauss upwind;\n"
-    replace(case, "system/fvSchemes", "    div(tau)", f"{scheme}    div(tau)")
 
 
 @pytest.mark.parametrize(("psi", "holds"), [(0.85, True), (0.95, False)])

@@ -110,14 +110,13 @@ int main(int argc, char *argv[])
         exchange.setEps();
         exchange.discharge(fields.U, fields.phiU);
 
-        const scalarField vapour(boiling.vapourVolume());
         carried.carry
         (
             flow.fluidFlux(exchange.eps()),
             boiling.withVapour(exchange.filled())
         );
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);
-        steam.carry(carried.flux(), {vapour, vapour});
+        boiling.carry(steam, carried.flux());
 
         // As a restart will find it
         fluid.correct();

@@ -105,7 +105,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
         dict_,
         {
             "FoamFile", "liquid", "initialDroplets", "motion", "blowing", "from",
-            "walls", "tolerance"
+            "walls", "tolerance", "saturation"
         }
     );
 

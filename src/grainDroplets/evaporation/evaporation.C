@@ -8,19 +8,24 @@
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
 #include "fvc.H"
+#include "keepUnmarked.H"
 
 
 Foam::evaporation::evaporation
 (
     liquidDroplets& droplets,
     const dropletTerm& term,
+    const grainFluidExchange& exchange,
     const thermalFluid& gas,
+    const vapour& steam,
     const volScalarField& T
 )
 :
     droplets_(droplets),
     term_(term),
+    exchange_(exchange),
     gas_(gas),
+    steam_(steam),
     mesh_(droplets.system().mesh()),
     isLocal_
     (
@@ -35,23 +40,55 @@ Foam::evaporation::evaporation
     fromFluid_(droplets.size(), Zero),
     fromGrains_(droplets.size(), Zero),
     lost_(droplets.size(), Zero),
+    stiffness_(droplets.size(), Zero),
+    vapourStiffness_(droplets.size(), Zero),
     vapour_(mesh_.nCells(), Zero),
+    vapourHeat_(vapour_),
+    vapourShare_(vapour_),
     hold_(0),
     taken_(0)
 {
     waitingFromFluid_.resize(droplets.size(), 0);
     waitingFromGrains_.resize(droplets.size(), 0);
-
-    const liquid& l = droplets.properties();
-    const scalar least = gMin(T.primitiveField());
-    if (least < (1 - 1e-9)*l.boilingTemperature)
+    if (droplets.dict().found("saturation"))
     {
-        FatalIOErrorInFunction(droplets.dict())
+        saturated_.reset
+        (
+            new saturatedSurface
+            (
+                dictionaryInput::subDict(droplets.dict(), "saturation"),
+                droplets.properties(),
+                droplets.size(),
+                [this](const word& name) { return state(name); }
+            )
+        );
+        if (!steam.isActive())
+        {
+            FatalIOErrorInFunction(droplets.dict())
+                << "Keyword 'saturation', and constant/transportProperties has no"
+                << " dictionary 'vapour'" << nl
+                << "    allowed: 'vapour' with 'D', and a field 0/psi"
+                << exit(FatalIOError);
+        }
+    }
+    else
+    {
+        checkTemperature(T);
+    }
+}
+
+
+void Foam::evaporation::checkTemperature(const volScalarField& T) const
+{
+    const scalar boiling = droplets_.properties().boilingTemperature;
+    const scalar least = gMin(T.primitiveField());
+    if (least < (1 - 1e-9)*boiling)
+    {
+        FatalIOErrorInFunction(droplets_.dict())
             << "Keyword 'boilingTemperature' of 'liquid' has the value "
-            << l.boilingTemperature << ", and the gas is colder: " << least
-            << " K" << nl
+            << boiling << ", and the gas is colder: " << least << " K" << nl
             << "    allowed: at most the lowest temperature of 0/T, as vapour does"
-            << " not become liquid again" << exit(FatalIOError);
+            << " not become liquid again; or 'saturation'" << exit(FatalIOError);
     }
 }
 
@@ -70,107 +107,76 @@ Foam::IOobject Foam::evaporation::state(const word& name) const
 }
 
 
-Foam::List<Foam::evaporation::link> Foam::evaporation::surface
-(
-    const surfaceScalarField& conductivity
-) const
-{
-    volScalarField droplet
-    (
-        IOobject("dropletOfCell", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("none", dimless, -1)
-    );
-    forAll(droplet, celli)
-    {
-        droplet[celli] = term_.dropletOf(celli);
-    }
-    droplet.correctBoundaryConditions();
-
-    const surfaceScalarField conductance
-    (
-        term_.conductance()*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
-    );
-
-    DynamicList<link> result;
-    forAll(mesh_.neighbour(), facei)
-    {
-        const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
-        if ((droplet[P] < 0) != (droplet[N] < 0))
-        {
-            const bool isOwner = droplet[P] < 0;
-            result.append
-            ({
-                isOwner ? P : N, label(droplet[isOwner ? N : P]),
-                mesh_.magSf()[facei], conductance[facei], conductivity[facei]
-            });
-        }
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatchScalarField& d = droplet.boundaryField()[patchi];
-        if (!d.coupled())
-        {
-            continue;
-        }
-        const scalarField own(d.patchInternalField());
-        const scalarField neighbour(d.patchNeighbourField());
-        forAll(d, i)
-        {
-            if (own[i] < 0 && neighbour[i] >= 0)
-            {
-                result.append
-                ({
-                    d.patch().faceCells()[i], label(neighbour[i]),
-                    d.patch().magSf()[i], conductance.boundaryField()[patchi][i],
-                    conductivity.boundaryField()[patchi][i]
-                });
-            }
-        }
-    }
-    return List<link>(std::move(result));
-}
-
-
 Foam::scalarField Foam::evaporation::shares
 (
-    const List<link>& links,
+    const List<dropletFace>& faces,
     const volScalarField& T
 ) const
 {
-    scalarField heat(links.size());
-    scalarField allHeat(droplets_.size(), Zero);
+    scalarField drive(faces.size());
+    scalarField allDrive(droplets_.size(), Zero);
     scalarField allArea(droplets_.size(), Zero);
-    forAll(links, i)
+    forAll(faces, i)
     {
-        const link& l = links[i];
-        heat[i] = l.conductance*l.conductivity
-           *max(T[l.cell] - droplets_.properties().boilingTemperature, scalar(0));
-        allHeat[l.droplet] += heat[i];
-        allArea[l.droplet] += l.area;
+        const dropletFace& f = faces[i];
+        const scalar Td = temperature(f.droplet);
+        drive[i] =
+            f.conductance
+           *max
+            (
+                saturated_
+              ? saturated_->share(Td) - steam_.psi().field()[f.cell]
+              : f.conductivity*(T[f.cell] - Td),
+                scalar(0)
+            );
+        allDrive[f.droplet] += drive[i];
+        allArea[f.droplet] += f.area;
     }
-    sumOverRanks(allHeat);
+    sumOverRanks(allDrive);
     sumOverRanks(allArea);
 
-    scalarField result(links.size());
-    forAll(links, i)
+    scalarField result(faces.size());
+    forAll(faces, i)
     {
-        const label d = links[i].droplet;
+        const label d = faces[i].droplet;
         const scalar byFluid = max(waitingFromFluid_[d], scalar(0));
         const scalar byGrains = max(waitingFromGrains_[d], scalar(0));
-        const scalar local =
-            isLocal_ && allHeat[d] > 0
-          ? byFluid/max(byFluid + byGrains, VSMALL)
-          : 0;
+        scalar local = 0;
+        if (isLocal_ && allDrive[d] > 0)
+        {
+            local = saturated_ ? 1 : byFluid/max(byFluid + byGrains, VSMALL);
+        }
         result[i] =
-            local*heat[i]/max(allHeat[d], VSMALL)
-          + (1 - local)*links[i].area/allArea[d];
+            local*drive[i]/max(allDrive[d], VSMALL)
+          + (1 - local)*faces[i].area/allArea[d];
     }
     return result;
 }
 
 
-Foam::scalar Foam::evaporation::smallCoefficient
+Foam::scalar Foam::evaporation::holding
+(
+    const scalar capacity,
+    const surfaceScalarField& conductivity
+) const
+{
+    return
+        1e4
+       *(
+            capacity/mesh_.time().deltaTValue()
+          + gMax
+            (
+                fvc::surfaceSum
+                (
+                    conductivity*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
+                )().primitiveField()
+               /mesh_.V().field()
+            )
+        );
+}
+
+
+Foam::scalar Foam::evaporation::smallConductance
 (
     const label i,
     const cellOverlap& o,
@@ -178,100 +184,148 @@ Foam::scalar Foam::evaporation::smallCoefficient
 ) const
 {
     const liquid& l = droplets_.properties();
+    const scalar atSurface = saturated_ ? saturated_->share(temperature(i)) : 0;
     const scalar B = max
     (
-        gas_.capacity()/gas_.rho()[o.cell]*(T - l.boilingTemperature)
+        saturated_
+      ? (atSurface - steam_.psi().field()[o.cell])/(1 - atSurface)
+      : gas_.capacity()/gas_.rho()[o.cell]*(T - l.boilingTemperature)
        /l.latentHeat,
         scalar(1e-6)
     );
-    // Where the steady profile around a source in a cell has the cell's temperature
+    // Where the steady profile around a source in a cell has the cell's value
     const bool isPlane = mesh_.nGeometricD() == 2;
     const scalar radius = 0.5*droplets_.system().fluidDiameter(i);
     const scalar reach = (isPlane ? 0.2 : 0.315)*droplets_.cellSize(i);
     const scalar part = min(radius/reach, scalar(0.9));
     const scalar surfacePerVolume = mesh_.nGeometricD()/radius;
     return
-        gas_.kappa()[o.cell]/(radius*(isPlane ? -std::log(part) : 1 - part))
-       *std::log1p(B)/B*surfacePerVolume*o.volume/mesh_.V()[o.cell];
+        std::log1p(B)/B*surfacePerVolume*o.volume/mesh_.V()[o.cell]
+       /(radius*(isPlane ? -std::log(part) : 1 - part));
 }
 
 
 void Foam::evaporation::remove(const std::vector<bool>& gone)
 {
-    for (IOField<scalar>* waiting : {&waitingFromFluid_, &waitingFromGrains_})
+    keepUnmarked(waitingFromFluid_, gone);
+    keepUnmarked(waitingFromGrains_, gone);
+    if (saturated_)
     {
-        label left = 0;
-        forAll(*waiting, i)
-        {
-            if (!gone[i])
-            {
-                (*waiting)[left++] = (*waiting)[i];
-            }
-        }
-        waiting->resize(left);
+        saturated_->remove(gone);
     }
-    fromFluid_ = scalarField(droplets_.size(), Zero);
-    fromGrains_ = fromFluid_;
-    lost_ = fromFluid_;
+    for
+    (
+        scalarField* field
+      : {&fromFluid_, &fromGrains_, &lost_, &stiffness_, &vapourStiffness_}
+    )
+    {
+        *field = scalarField(droplets_.size(), Zero);
+    }
+}
+
+
+Foam::scalar Foam::evaporation::evaporate(const label i)
+{
+    const scalar latent = droplets_.properties().latentHeat;
+    const scalar mass = droplets_.mass(i);
+    scalar heat = waitingFromFluid_[i] + waitingFromGrains_[i];
+    scalar diffused = 0;
+    scalar& lost = lost_[i];
+
+    if (saturated_)
+    {
+        diffused = saturated_->waiting(i);
+        lost = saturated_->evaporate
+        (
+            i, saturated_->toEvaporate(i), mass,
+            stiffness_[i] + latent*vapourStiffness_[i], heat
+        );
+        waitingFromFluid_[i] = heat;
+        waitingFromGrains_[i] = 0;
+    }
+    else
+    {
+        lost = max(heat, scalar(0))/latent;
+    }
+
+    // What would be left has no heat of its own: it is too little to tell
+    if (lost > 0 && mass - lost < droplets_.leastMass())
+    {
+        lost = mass;
+    }
+    if (!saturated_ && lost > 0)
+    {
+        const scalar left = 1 - lost*latent/heat;
+        waitingFromFluid_[i] *= left;
+        waitingFromGrains_[i] *= left;
+    }
+    return
+        mag(lost) > VSMALL
+      ? min(max(1 - diffused/lost, scalar(0)), scalar(1))
+      : 0;
+}
+
+
+void Foam::evaporation::addVapour
+(
+    const label celli,
+    const label i,
+    const scalar rate,
+    const scalar share
+)
+{
+    const scalar perVolume = rate/mesh_.V()[celli];
+    vapour_[celli] += perVolume;
+    vapourHeat_[celli] += perVolume*temperature(i);
+    vapourShare_[celli] += perVolume*share;
 }
 
 
 void Foam::evaporation::startStep(const volScalarField& T)
 {
-    const scalar latent = droplets_.properties().latentHeat;
-    const List<link> links
+    const List<dropletFace> faces
     (
-        surface(fvc::interpolate(gas_.kappa(), "interpolate(kappa)"))
+        dropletFace::list
+        (
+            term_, fvc::interpolate(gas_.kappa(), "interpolate(kappa)")
+        )
     );
     scalarField isThere(droplets_.size(), Zero);
-    for (const link& l : links)
+    for (const dropletFace& f : faces)
     {
-        isThere[l.droplet] = 1;
+        isThere[f.droplet] = 1;
     }
     sumOverRanks(isThere);
-    forAll(isThere, d)
-    {
-        isThere[d] = isThere[d] > 0 || droplets_.isSmall(d);
-    }
-    const scalarField share(shares(links, T));
+    const scalarField share(shares(faces, T));
 
-    forAll(lost_, d)
+    scalarField carried(lost_.size(), Zero);
+    forAll(lost_, i)
     {
-        const scalar heat = waitingFromFluid_[d] + waitingFromGrains_[d];
-        lost_[d] =
-            isThere[d] > 0
-          ? min(max(heat, scalar(0))/latent, droplets_.mass(d))
-          : 0;
-        if (lost_[d] > 0 && droplets_.mass(d) - lost_[d] < droplets_.leastMass())
+        lost_[i] = 0;
+        if (isThere[i] > 0 || droplets_.isSmall(i))
         {
-            // What is left has no heat of its own: it is too little to tell
-            lost_[d] = droplets_.mass(d);
-        }
-        if (lost_[d] > 0)
-        {
-            const scalar left = 1 - lost_[d]*latent/heat;
-            waitingFromFluid_[d] *= left;
-            waitingFromGrains_[d] *= left;
+            carried[i] = evaporate(i);
         }
     }
 
+    const scalar deltaT = mesh_.time().deltaTValue();
     vapour_ = scalarField(mesh_.nCells(), Zero);
-    forAll(links, i)
+    vapourHeat_ = vapour_;
+    vapourShare_ = vapour_;
+    forAll(faces, i)
     {
-        const label celli = links[i].cell;
-        vapour_[celli] +=
-            share[i]*lost_[links[i].droplet]
-           /(mesh_.V()[celli]*mesh_.time().deltaTValue());
+        const label d = faces[i].droplet;
+        addVapour(faces[i].cell, d, share[i]*lost_[d]/deltaT, carried[d]);
     }
     for (label i = 0; i < droplets_.size(); ++i)
     {
         if (droplets_.isSmall(i))
         {
+            const scalar perVolume =
+                lost_[i]/(deltaT*droplets_.system().mappedVolume()[i]);
             for (const cellOverlap& o : droplets_.system().overlaps().of(i))
             {
-                vapour_[o.cell] +=
-                    lost_[i]*o.volume/droplets_.system().mappedVolume()[i]
-                   /(mesh_.V()[o.cell]*mesh_.time().deltaTValue());
+                addVapour(o.cell, i, perVolume*o.volume, carried[i]);
             }
         }
     }
@@ -309,23 +363,9 @@ Foam::scalarField Foam::evaporation::withVapour(const scalarField& filled) const
 
 void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
 {
-    const scalar boiling = droplets_.properties().boilingTemperature;
-    links_ = surface(cells.conductivity);
+    faces_ = dropletFace::list(term_, cells.conductivity);
     cells.conductivity *= term_.conductance();
-
-    // A ten-thousandth of the difference to the gas is left
-    hold_ = 1e4
-       *(
-            gas_.capacity()/mesh_.time().deltaTValue()
-          + gMax
-            (
-                fvc::surfaceSum
-                (
-                    cells.conductivity*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
-                )().primitiveField()
-               /mesh_.V().field()
-            )
-        );
+    hold_ = holding(gas_.capacity(), cells.conductivity);
 
     smalls_.clear();
     for (label i = 0; i < droplets_.size(); ++i)
@@ -334,61 +374,66 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
         {
             for (const cellOverlap& o : droplets_.system().overlaps().of(i))
             {
-                const scalar h = smallCoefficient(i, o, T[o.cell]);
-                cells.add(o.cell, h, boiling);
+                const scalar h =
+                    gas_.kappa()[o.cell]*smallConductance(i, o, T[o.cell]);
+                cells.add(o.cell, h, temperature(i));
                 smalls_.append({o.cell, i, 0, h*mesh_.V()[o.cell], 1});
             }
         }
     }
 
-    const scalarField vapour(vapourVolume());
+    const scalar C = gas_.capacity()/droplets_.properties().vapourDensity;
     forAll(T, celli)
     {
-        if (term_.isLiquid(celli))
+        const label d = term_.dropletOf(celli);
+        if (d >= 0)
         {
-            cells.add(celli, hold_, boiling);
+            cells.add(celli, hold_, temperature(d));
         }
-        if (vapour[celli] > 0)
-        {
-            cells.add(celli, gas_.capacity()*vapour[celli], boiling);
-        }
+        cells.coefficient[celli] += C*vapour_[celli];
+        cells.given[celli] += C*vapourHeat_[celli];
     }
 }
 
 
 void Foam::evaporation::take(const volScalarField& T)
 {
-    const scalar boiling = droplets_.properties().boilingTemperature;
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalarField& V = mesh_.V();
-    const scalarField vapour(vapourVolume());
+    const scalar C = gas_.capacity()/droplets_.properties().vapourDensity;
 
     scalarField all(droplets_.size(), Zero);
     fromFluid_ = Zero;
+    stiffness_ = Zero;
     taken_ = 0;
     forAll(T, celli)
     {
         const label d = term_.dropletOf(celli);
         if (d >= 0)
         {
-            all[d] += deltaT*V[celli]*hold_*(T[celli] - boiling);
+            all[d] += deltaT*V[celli]*hold_*(T[celli] - temperature(d));
         }
         taken_ +=
-            deltaT*V[celli]*gas_.capacity()*vapour[celli]*(T[celli] - boiling);
+            deltaT*V[celli]*C*(vapour_[celli]*T[celli] - vapourHeat_[celli]);
     }
-    for (const link& l : smalls_)
+    for (const List<dropletFace>& faces : {faces_, List<dropletFace>(smalls_)})
     {
-        const scalar heat = deltaT*l.conductance*(T[l.cell] - boiling);
-        all[l.droplet] += heat;
-        fromFluid_[l.droplet] += heat;
+        for (const dropletFace& f : faces)
+        {
+            const scalar perDegree = deltaT*f.conductance*f.conductivity;
+            fromFluid_[f.droplet] +=
+                perDegree*(T[f.cell] - temperature(f.droplet));
+            stiffness_[f.droplet] += perDegree;
+        }
     }
-    for (const link& l : links_)
+    for (const dropletFace& f : smalls_)
     {
-        fromFluid_[l.droplet] +=
-            deltaT*l.conductance*l.conductivity*(T[l.cell] - boiling);
+        all[f.droplet] +=
+            deltaT*f.conductance*(T[f.cell] - temperature(f.droplet));
     }
     sumOverRanks(all);
     sumOverRanks(fromFluid_);
+    sumOverRanks(stiffness_);
     fromGrains_ = all - fromFluid_;
     reduce(taken_, sumOp<scalar>());
     taken_ += sum(all);

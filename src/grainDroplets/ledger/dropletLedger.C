@@ -53,8 +53,8 @@ void Foam::dropletLedger::endStep(const vectorField& force)
         file_ = progress_.newFile
         (
             "droplets", "droplets.csv",
-            "time,droplet,x,y,z,vx,vy,vz,radius,liquid,inside,fromFluid,"
-            "fromGrains,vapour,fx,fy,fz,weight,volumeError"
+            "time,droplet,x,y,z,vx,vy,vz,radius,temperature,liquid,inside,fromFluid,"
+            "fromGrains,vapour,diffused,fx,fy,fz,weight,volumeError"
         );
     }
     const char c = ',';
@@ -66,9 +66,11 @@ void Foam::dropletLedger::endStep(const vectorField& force)
             << system.mesh().time().value() << c << motion.id(i)
             << c << x.x() << c << x.y() << c << x.z()
             << c << v.x() << c << v.y() << c << v.z()
-            << c << motion.radius(i) << c << droplets_.mass(i)
+            << c << motion.radius(i) << c << vapour_.temperature(i)
+            << c << droplets_.mass(i)
             << c << droplets_.inside(i) << c << vapour_.fromFluid()[i]
             << c << vapour_.fromGrains()[i] << c << vapour_.lost()[i]
+            << c << vapour_.diffused(i)
             << c << force[i].x() << c << force[i].y() << c << force[i].z()
             << c << droplets_.mass(i)*mag(motion.g()) << c << error[i] << nl;
     }

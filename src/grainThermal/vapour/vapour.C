@@ -67,14 +67,30 @@ void Foam::vapour::tell(grainSystem& grains) const
 }
 
 
-void Foam::vapour::carry
+Foam::tmp<Foam::surfaceScalarField> Foam::vapour::diffusivity
 (
-    const transportFlux& flux,
-    const cellExchange& exchange
-)
+    const volScalarField& open
+) const
+{
+    return D_*fvc::interpolate(open);
+}
+
+
+void Foam::vapour::carry(const transportFlux& flux)
 {
     if (isActive())
     {
-        psi_->carry(flux, D_*fvc::interpolate(flux.fraction()), exchange);
+        carry(flux, diffusivity(flux.fraction()), cellExchange());
     }
+}
+
+
+void Foam::vapour::carry
+(
+    const transportFlux& flux,
+    const surfaceScalarField& diffusivity,
+    const cellExchange& exchange
+)
+{
+    psi_->carry(flux, diffusivity, exchange);
 }

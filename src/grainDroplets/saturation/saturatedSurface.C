@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "saturatedSurface.H"
+
+#include "dictionaryInput.H"
+#include "keepUnmarked.H"
+
+namespace
+{
+
+using namespace Foam;
+
+const dictionary& checked(const dictionary& dict)
+{
+    dictionaryInput::checkKeywords
+    (
+        dict, {"curve", "pressure", "molarMasses", "temperature"}
+    );
+    return dict;
+}
+
+}
+
+
+Foam::saturatedSurface::saturatedSurface
+(
+    const dictionary& dict,
+    const liquid& properties,
+    const label nDroplets,
+    const std::function<IOobject(const word&)>& file
+)
+:
+    liquid_(properties),
+    curve_
+    (
+        saturationCurve::New(dictionaryInput::subDict(checked(dict), "curve"))
+    ),
+    pressure_(dictionaryInput::getPositive(dict, "pressure", dimPressure)),
+    molarMasses_(dictionaryInput::getPositive(dict, "molarMasses", dimless)),
+    initial_
+    (
+        dictionaryInput::getScalar
+        (
+            dict, "temperature", dimTemperature, SMALL,
+            liquid_.boilingTemperature
+        )
+    ),
+    temperature_(file("dropletTemperature")),
+    waiting_(file("dropletVapour"))
+{
+    temperature_.resize(nDroplets, initial_);
+    waiting_.resize(nDroplets, 0);
+}
+
+
+Foam::scalar Foam::saturatedSurface::share(const scalar T) const
+{
+    const scalar moles = curve_->pressure(T)/pressure_;
+    if (moles >= 1)
+    {
+        return most;
+    }
+    return min(molarMasses_*moles/(molarMasses_*moles + 1 - moles), most);
+}
+
+
+Foam::scalar Foam::saturatedSurface::slope(const scalar T) const
+{
+    const scalar dT = 1e-3;
+    return (share(T + dT) - share(T - dT))/(2*dT);
+}
+
+
+Foam::scalar Foam::saturatedSurface::evaporate
+(
+    const label i,
+    const scalar mass,
+    const scalar liquidMass,
+    const scalar stiffness,
+    scalar& heat
+)
+{
+    const scalar capacity = liquidMass*liquid_.Cp;
+    scalar& T = temperature_[i];
+    waiting_[i] = 0;
+
+    // Heat that it does not take now waits, which is stable at any step
+    const scalar excess = heat - mass*liquid_.latentHeat;
+    scalar dT = excess/(capacity + stiffness);
+    scalar boiled = 0;
+    if (T + dT > liquid_.boilingTemperature)
+    {
+        const scalar most = liquid_.boilingTemperature - T;
+        boiled = (dT - most)*capacity/liquid_.latentHeat;
+        dT = most;
+    }
+    T += dT;
+    heat = excess - dT*capacity - boiled*liquid_.latentHeat;
+    return mass + boiled;
+}
+
+
+void Foam::saturatedSurface::append()
+{
+    temperature_.append(initial_);
+    waiting_.append(0);
+}
+
+
+void Foam::saturatedSurface::remove(const std::vector<bool>& gone)
+{
+    keepUnmarked(temperature_, gone);
+    keepUnmarked(waiting_, gone);
+}

@@ -19,6 +19,21 @@ FLUID = "constant/transportProperties"
 GAS_RHO, GAS_CP, GAS_K = 1.2, 1040.0, 0.026
 GAS = f"Cp {GAS_CP}; kappa {GAS_K};"
 WALLS = '"left|right|bottom|top"'
+# Water from 256 to 373 K
+ANTOINE = """saturation
+{{
+    curve       {{ type Antoine; A 4.6543; B 1435.264; C -64.848; }}
+    pressure    {pressure};
+    molarMasses 0.622;
+    temperature {temperature};
+}}
+"""
+
+
+def share_of_water(T, pressure=1e5):
+    """Mass fraction of the saturated vapour in air."""
+    moles = 1e5 / pressure * 10 ** (4.6543 - 1435.264 / (T - 64.848))
+    return 0.622 * moles / (0.622 * moles + 1 - moles)
 
 
 def with_droplets(

@@ -14,6 +14,7 @@ from droplet_box import (
     GAS_CP,
     GAS_K,
     LATENT,
+    WALLS,
     droplet_table,
     in_annulus,
     make_gas,
@@ -21,7 +22,7 @@ from droplet_box import (
     with_droplets,
 )
 from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
-from heat_box import GRAIN_CP, heat_ledger, with_heat
+from heat_box import GRAIN_CP, heat_ledger, with_heat, with_psi
 from sphere_box import sphere_box
 
 
@@ -202,31 +203,13 @@ def test_adjustable_steps_follow_the_droplet(clone):
     assert book["vapour"].sum() + book["liquid"][-1] == pytest.approx(book["liquid"][0], rel=1e-9)
 
 
-BAD = {
-    "small": ("0.02", "0.01", "fewer than 4 cells across"),
-    "cold": ("boilingTemperature 373.15", "boilingTemperature 400", "'boilingTemperature'"),
-    "missing": ("latentHeat 2260000.0;", "", "'latentHeat'"),
-    "negative": ("mu 2.8e-4", "mu -1", "'mu'"),
-    "unknown": ("liquid {", "vapor on; liquid {", "'vapor'"),
-}
-
-
-@pytest.mark.parametrize("old, new, said", BAD.values(), ids=BAD)
-def test_bad_input_is_named(clone, old, new, said):
-    case = hot_grains_inside(clone)
-    open_top(case)
-    file = "constant/droplets.csv" if old == "0.02" else DROPLETS
-    replace(case, file, old, new)
-    case.run("grainDropletFoam", check=False)
-    assert said in case.log
-    assert "FOAM FATAL" in case.log
-    assert "Time = " not in case.log
-
-
 def test_the_example_has_every_entry(clone):
     case = hot_grains_inside(clone)
     open_top(case)
     (case.path / DROPLETS).write_text((ROOT / "etc/caseDicts/dropletProperties").read_text())
+    file = case.path / FLUID
+    file.write_text(f"{file.read_text()} vapour {{ D 2e-5; }}\n")
+    with_psi(case, 0, f"{WALLS} {{ type zeroGradient; }} frontAndBack {{ type empty; }}")
     # The box's top is open
     replace(case, DROPLETS, '(".*")', "(bottom left right)")
     control(case, endTime=2e-3)

@@ -64,6 +64,13 @@ int main(int argc, char *argv[])
     {
         carried.startStep();
         exchange.inject(fields.U);
+        List<liquidDroplets::fate> fates;
+        if (droplets.change(fates))
+        {
+            boiling.follow(fates);
+            droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
+            exchange.setEps();
+        }
         timeStep.set(flow.relativePhiU(), droplets.limits());
         ++runTime;
 

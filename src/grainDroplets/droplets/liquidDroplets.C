@@ -44,17 +44,20 @@ Foam::liquidDroplets::liquidDroplets
         )
     ),
     motionDict_(motionDict(mesh)),
-    system_(mesh, g, {"droplets", &motionDict_, true})
+    system_(mesh, g, {"droplets", "initialDroplets", &motionDict_, true}),
+    releases_
+    (
+        dict_, system_,
+        system_.motion().countOf(motionDict_.subDict("initialDroplets"))
+    )
 {
+    if (mesh.time().value() <= 0)
+    {
+        checkNew(0, "initialDroplets");
+    }
     // Masses are their own from now on, not that of their material
     evaporate(scalarField(size(), Zero));
     setFilled(scalarField(mesh.nCells(), Zero));
-    if (mesh.time().value() <= 0)
-    {
-        findSmall(from_);
-        checkSizes();
-    }
-    findSmall(fewest);
 }
 
 
@@ -82,19 +85,37 @@ void Foam::liquidDroplets::findSmall(const scalar cells)
 }
 
 
-void Foam::liquidDroplets::checkSizes() const
+void Foam::liquidDroplets::checkNew(const label first, const word& keyword)
 {
-    const label i = isSmall_.find(true);
-    if (i >= 0)
+    findSmall(from_);
+    for (label i = first; i < size(); ++i)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Keyword 'initialDroplets': droplet " << system_.motion().id(i)
-            << " at " << system_.centres()[i] << " of diameter "
-            << system_.fluidDiameter(i) << " m has fewer than " << from_
-            << " cells across" << nl
-            << "    allowed: larger droplets, smaller cells, or 'from' of at"
-            << " least 2" << exit(FatalIOError);
+        OStringStream what, allowed;
+        if (isSmall_[i])
+        {
+            what << "has fewer than " << from_ << " cells across";
+            allowed
+                << "larger droplets, smaller cells, or 'from' of at least 2";
+        }
+        else if (system_.mappedVolume()[i] < (1 - 1e-6)*system_.volume(i))
+        {
+            what
+                << "is only in part in the mesh, "
+                << system_.mappedVolume()[i]/system_.volume(i) << " of it";
+            allowed << "droplets that stick out of no wall or patch";
+        }
+        if (what.str().size())
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Keyword '" << keyword << "': droplet "
+                << system_.motion().id(i) << " at " << system_.centres()[i]
+                << " of diameter " << system_.fluidDiameter(i) << " m "
+                << what.str().c_str() << nl
+                << "    allowed: " << allowed.str().c_str()
+                << exit(FatalIOError);
+        }
     }
+    findSmall(fewest);
 }
 
 
@@ -105,7 +126,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
         dict_,
         {
             "FoamFile", "liquid", "initialDroplets", "motion", "blowing", "from",
-            "walls", "tolerance", "saturation"
+            "walls", "tolerance", "saturation", "releases"
         }
     );
 
@@ -147,7 +168,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
 
     dictionary initial(dictionaryInput::subDict(dict_, "initialDroplets"));
     initial.add("material", word("liquid"));
-    result.add("initialGrains", initial);
+    result.add("initialDroplets", initial);
 
     dictionary contact;
     contact.add("tolerance", tolerance_);

@@ -213,6 +213,12 @@ void Foam::evaporation::remove(const std::vector<bool>& gone)
     {
         saturated_->remove(gone);
     }
+    clearStep();
+}
+
+
+void Foam::evaporation::clearStep()
+{
     for
     (
         scalarField* field
@@ -221,6 +227,27 @@ void Foam::evaporation::remove(const std::vector<bool>& gone)
     {
         *field = scalarField(droplets_.size(), Zero);
     }
+}
+
+
+void Foam::evaporation::follow(const List<liquidDroplets::fate>& fates)
+{
+    const auto gather = [&](IOField<scalar>& field)
+    {
+        scalarField all(droplets_.size(), Zero);
+        forAll(fates, i)
+        {
+            all[fates[i].now] += field[i];
+        }
+        field = all;
+    };
+    gather(waitingFromFluid_);
+    gather(waitingFromGrains_);
+    if (saturated_)
+    {
+        saturated_->follow(fates, droplets_.size());
+    }
+    clearStep();
 }
 
 

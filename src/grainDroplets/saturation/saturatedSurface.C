@@ -103,10 +103,25 @@ Foam::scalar Foam::saturatedSurface::evaporate
 }
 
 
-void Foam::saturatedSurface::append()
+void Foam::saturatedSurface::follow
+(
+    const List<liquidDroplets::fate>& fates,
+    const label nDroplets
+)
 {
-    temperature_.append(initial_);
-    waiting_.append(0);
+    scalarField T(nDroplets, Zero), waiting(nDroplets, Zero);
+    forAll(fates, i)
+    {
+        T[fates[i].now] += fates[i].share*temperature_[i];
+        waiting[fates[i].now] += waiting_[i];
+    }
+    for (scalar& value : T)
+    {
+        // Has come
+        value = value > 0 ? value : initial_;
+    }
+    temperature_ = T;
+    waiting_ = waiting;
 }
 
 

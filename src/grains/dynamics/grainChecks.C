@@ -24,7 +24,7 @@ Foam::grainChecks<D>::grainChecks
     const nscd::Grains<D>& grains
 )
 :
-    grainChecks(properties, grains, properties.dict(), "initialGrains")
+    grainChecks(properties, grains, properties.dict(), properties.initialName())
 {}
 
 

@@ -52,7 +52,8 @@ Foam::grainDynamics<D>::grainDynamics
     catch (const std::exception& err)
     {
         FatalIOErrorInFunction(properties_.dict())
-            << "Keyword '" << (restart ? "startTime" : "initialGrains")
+            << "Keyword '"
+            << (restart ? word("startTime") : properties_.initialName())
             << "': " << err.what() << exit(FatalIOError);
     }
 

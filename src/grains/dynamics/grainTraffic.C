@@ -90,18 +90,30 @@ void Foam::grainDynamics<D>::inject(const volVectorField* U)
         return;
     }
     const label before = size();
+    add(more, properties_.dict().subDict("injections"));
+    for (label i = before; i < size(); ++i)
+    {
+        injected_ += tally(i);
+    }
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::add
+(
+    const nscd::Grains<D>& more,
+    const dictionary& source
+)
+{
     try
     {
         dynamics_->add(more);
     }
     catch (const std::exception& err)
     {
-        FatalIOErrorInFunction(properties_.dict())
-            << "Keyword 'injections': " << err.what() << exit(FatalIOError);
-    }
-    for (label i = before; i < size(); ++i)
-    {
-        injected_ += tally(i);
+        FatalIOErrorInFunction(source)
+            << "Keyword '" << source.dictName() << "': " << err.what()
+            << exit(FatalIOError);
     }
     isLocated_ = false;
     cell_.resize(size(), label(-1));
@@ -163,3 +175,13 @@ template void Foam::grainDynamics<2>::inject(const volVectorField*);
 template void Foam::grainDynamics<3>::inject(const volVectorField*);
 template void Foam::grainDynamics<2>::discharge(const std::vector<bool>&);
 template void Foam::grainDynamics<3>::discharge(const std::vector<bool>&);
+template void Foam::grainDynamics<2>::remove(const std::vector<bool>&);
+template void Foam::grainDynamics<3>::remove(const std::vector<bool>&);
+template void Foam::grainDynamics<2>::add
+(
+    const nscd::Grains<2>&, const dictionary&
+);
+template void Foam::grainDynamics<3>::add
+(
+    const nscd::Grains<3>&, const dictionary&
+);

@@ -44,6 +44,7 @@ Foam::grainProperties<D>::grainProperties
         ),
         set.properties ? *set.properties : dictionary::null
     ),
+    initialName_(set.initial),
     g_(g),
     materials_(dict_),
     shapes_(dict_, space_),
@@ -75,7 +76,7 @@ void Foam::grainProperties<D>::check() const
         dict_,
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
-            "initialGrains", "allowedOverlap", "contact", "coupling",
+            initialName_, "allowedOverlap", "contact", "coupling",
             "outlets", "injections", "shapes", "heat"
         }
     );
@@ -256,7 +257,7 @@ nscd::Grains<D> Foam::grainProperties<D>::grains(const dictionary& source) const
 template<int D>
 nscd::Grains<D> Foam::grainProperties<D>::initialGrains() const
 {
-    return grains(dictionaryInput::subDict(dict_, "initialGrains"));
+    return grains(dictionaryInput::subDict(dict_, initialName_));
 }
 
 

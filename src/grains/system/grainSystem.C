@@ -160,6 +160,25 @@ void Foam::grainSystem::findAtOpenings()
 }
 
 
+void Foam::grainSystem::add(const dictionary& source, const label firstId)
+{
+    motion_->add(source, firstId);
+    map();
+}
+
+
+void Foam::grainSystem::merge
+(
+    const label graini,
+    const label grainj,
+    const scalar radius
+)
+{
+    motion_->merge(graini, grainj, radius);
+    map();
+}
+
+
 bool Foam::grainSystem::inject(const volVectorField& U)
 {
     motion_->inject(&U);

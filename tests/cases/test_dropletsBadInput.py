@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What grainDropletFoam refuses before the first step, and what it says."""
+
+import pytest
+from droplet_box import ANTOINE, BOILING, DROPLETS, GAS, make_gas, open_top, with_droplets
+from grain_box import control, grain_box, replace
+from heat_box import with_heat
+
+CSV = "constant/droplets.csv"
+HEAD = "x,y,z,radius\n"
+
+
+def table(text):
+    return lambda case: (case.path / CSV).write_text(text)
+
+
+def swap(old, new):
+    return lambda case: replace(case, DROPLETS, old, new)
+
+
+def add(text):
+    def change(case):
+        file = case.path / DROPLETS
+        file.write_text(f"{file.read_text()}{text}\n")
+
+    return change
+
+
+def late(rows):
+    """Droplets of a table that come at a time."""
+
+    def change(case):
+        (case.path / "constant/late.csv").write_text(HEAD + rows)
+        add('releases { r { time 1; droplets { type csv; file "constant/late.csv"; } } }')(case)
+
+    return change
+
+
+BAD = {
+    "cold": (swap("boilingTemperature 373.15", "boilingTemperature 400"), "'boilingTemperature'"),
+    "no latent heat": (swap("latentHeat 2260000.0;", ""), "'latentHeat'"),
+    "negative": (swap("mu 2.8e-4", "mu -1"), "'mu'"),
+    "a word": (swap("mu 2.8e-4", "mu water"), "'mu'"),
+    "not a number": (swap("density 1000.0", "density nan"), "'density'"),
+    "dimensions": (swap("density 1000.0", "density [0 0 1 0 0 0 0] 5"), "'density'"),
+    "unknown": (swap("liquid {", "vapor on; liquid {"), "'vapor'"),
+    "no liquid": (swap("liquid {", "fluid {"), "'liquid'"),
+    "no droplets": (swap("initialDroplets", "initialDrops"), "'initialDrops'"),
+    "no file": (lambda case: (case.path / DROPLETS).unlink(), "dropletProperties"),
+    "empty file": (lambda case: (case.path / DROPLETS).write_text(""), "dropletProperties"),
+    "no table": (lambda case: (case.path / CSV).unlink(), "droplets.csv"),
+    "empty table": (table(""), "droplets.csv"),
+    "small": (table(HEAD + "0.05,0.05,0.005,0.01\n"), "fewer than 4 cells across"),
+    "outside": (table(HEAD + "0.5,0.5,0.005,0.02\n"), "'initialDroplets'"),
+    "over a wall": (table(HEAD + "0.01,0.055,0.005,0.02\n"), "only in part in the mesh"),
+    "one in another": (
+        table(HEAD + "0.05,0.05,0.005,0.021\n0.06,0.05,0.005,0.021\n"),
+        "overlaps grain 1",
+    ),
+    "radius": (table(HEAD + "0.05,0.05,0.005,nan\n"), "'radius'"),
+    "across the mesh": (
+        table("x,y,z,radius,vx,vy,vz\n0.05,0.05,0.005,0.02,0,0,1\n"),
+        "velocity across the mesh",
+    ),
+    "few cells": (add("from 1;"), "'from'"),
+    "motion": (add("motion x;"), "(free fixed)"),
+    "blowing": (add("blowing x;"), "(local uniform)"),
+    "tolerance": (add("tolerance 1;"), "'tolerance'"),
+    "patches": (add("walls { a { type patches; patches (nope); } }"), "'patches'"),
+    "walls": (add("walls yes;"), "'walls'"),
+    "saturated without vapour": (
+        add(ANTOINE.format(pressure=1e5, temperature=300)),
+        "no dictionary 'vapour'",
+    ),
+    "hot": (add(ANTOINE.format(pressure=1e5, temperature=400)), "'temperature'"),
+    "curve": (
+        add(ANTOINE.format(pressure=1e5, temperature=300).replace("Antoine", "Wagner")),
+        "(Antoine ClausiusClapeyron)",
+    ),
+    "no pressure": (add(ANTOINE.format(pressure=0, temperature=300)), "'pressure'"),
+    "late outside": (late("0.5,0.5,0.005,0.02\n"), "outside the mesh"),
+    "late without time": (add("releases { r { droplets { type csv; } } }"), "'time'"),
+    "late unknown": (add("releases { r { time 1; when 2; } }"), "'when'"),
+}
+
+
+@pytest.mark.parametrize("change, said", BAD.values(), ids=BAD)
+def test_bad_input_is_named(clone, change, said):
+    case = with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    with_droplets(case, [(0.05, 0.055)], 0.02)
+    change(case)
+    control(case, endTime=2e-3)
+    case.run("grainDropletFoam", check=False)
+    assert said in case.log
+    assert "FATAL" in case.log
+    assert "Time = " not in case.log
+    assert "printStack" not in case.log
+
+
+def test_a_missing_state_is_named(clone):
+    case = with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    with_droplets(case, [(0.05, 0.055)], 0.02)
+    control(case, endTime=2e-3, writeInterval=1)
+    case.run("grainDropletFoam")
+    (case.path / "0.002/droplets.h5").unlink()
+    control(case, endTime=4e-3)
+    case.run("grainDropletFoam", check=False)
+    assert "no state of the droplets" in case.log

@@ -9,6 +9,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "noResolvedTerm.H"
+#include "warnOfShearedCells.H"
 
 Foam::autoPtr<Foam::resolvedTerm> Foam::lockedGrains::New
 (
@@ -55,7 +56,9 @@ Foam::lockedGrains::lockedGrains
         mesh_,
         dimensionedScalar(dimForce/dimLength, Zero)
     )
-{}
+{
+    warnOfShearedCells(grains, fluid, from);
+}
 
 
 void Foam::lockedGrains::setFreeMotion()

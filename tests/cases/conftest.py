@@ -18,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 # Ranks that wait leave their core to other tests, and none is bound to a core that another test has
 SHARED_CORES = {
     "OMPI_MCA_mpi_yield_when_idle": "1",
-    "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_mpi_yield_when_idle": "1"}
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+}
 
 
 def pytest_sessionstart():

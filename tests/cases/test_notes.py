@@ -143,7 +143,7 @@ def test_documented_dictionaries_run(clone, application):
     assert case.times == ["0", "0.005", "0.01"]
     assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12
     written = {path.name for path in (case.path / "postProcessing").iterdir()}
-    assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "problems"} | (
+    assert written == {"ledger", "tracks", "loads", "forceChains", "walls", "front", "problems"} | (
         {"heatLedger"} if application == "grainThermalFoam" else set()
     ) - (
         set() if "problems" in written else {"problems"}
@@ -160,6 +160,8 @@ def test_documented_dictionaries_of_two_fluids_run(clone):
     (case.path / "system/controlDict").write_text(
         (root / "etc/caseDicts/controlDict").read_text().replace("grainFoam;", "grainInterFoam;")
     )
+    watched = root / "etc/caseDicts/grainInterFoam/functions"
+    replace(case, "system/controlDict", "functions\n{", f'functions\n{{\n#include "{watched}"\n')
     (case.path / "0/dye").write_text(
         "FoamFile { version 2.0; format ascii; class volScalarField; object dye; }\n"
         "dimensions [0 0 0 0 0 0 0]; internalField uniform 1;\n"
@@ -171,3 +173,5 @@ def test_documented_dictionaries_of_two_fluids_run(clone):
     assert case.times == ["0", "0.005", "0.01"]
     assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12
     assert "maxCapillaryCo" in case.log
+    levels = case.table("postProcessing/gauges/0/levels.csv")
+    assert levels["station0"][0] == pytest.approx(0.05, abs=1e-3)

@@ -6,6 +6,7 @@
 #include "contactNetwork.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "functionKeywords.H"
 #include "grainView.H"
 #include "polyDataFile.H"
 
@@ -27,7 +28,9 @@ Foam::functionObjects::contactNetwork::contactNetwork
 )
 :
     fvMeshFunctionObject(name, runTime, dict)
-{}
+{
+    checkFunctionKeywords(dict, {});
+}
 
 
 bool Foam::functionObjects::contactNetwork::write()

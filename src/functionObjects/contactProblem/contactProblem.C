@@ -6,6 +6,7 @@
 #include "contactProblem.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "functionKeywords.H"
 #include "grainView.H"
 #include "OSspecific.H"
 
@@ -27,7 +28,9 @@ Foam::functionObjects::contactProblem::contactProblem
 )
 :
     fvMeshFunctionObject(name, runTime, dict)
-{}
+{
+    checkFunctionKeywords(dict, {});
+}
 
 
 bool Foam::functionObjects::contactProblem::write()

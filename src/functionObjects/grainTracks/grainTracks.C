@@ -7,6 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
+#include "functionKeywords.H"
 #include "grainView.H"
 #include "OSspecific.H"
 
@@ -36,6 +37,7 @@ Foam::functionObjects::grainTracks::grainTracks
 bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    checkFunctionKeywords(dict, {"grains"});
     ids_.clear();
     if (dict.found("grains"))
     {

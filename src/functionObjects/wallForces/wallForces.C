@@ -7,6 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
+#include "functionKeywords.H"
 #include "grainView.H"
 #include "OSspecific.H"
 
@@ -36,6 +37,7 @@ Foam::functionObjects::wallForces::wallForces
 bool Foam::functionObjects::wallForces::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    checkFunctionKeywords(dict, {"walls", "origin"});
 
     dict_ = dict;
     origin_ = dictionaryInput::getVectorOrZero(dict, "origin");

@@ -6,6 +6,7 @@
 #include "wallSurfaces.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "functionKeywords.H"
 #include "grainView.H"
 #include "polyDataFile.H"
 
@@ -27,7 +28,9 @@ Foam::functionObjects::wallSurfaces::wallSurfaces
 )
 :
     fvMeshFunctionObject(name, runTime, dict)
-{}
+{
+    checkFunctionKeywords(dict, {});
+}
 
 
 bool Foam::functionObjects::wallSurfaces::write()

@@ -8,6 +8,7 @@
 #include "argList.H"
 #include "caseDirectories.H"
 #include "caseLock.H"
+#include "meshFiles.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 
@@ -48,6 +49,7 @@ void Foam::setAsideIncompleteTimes(const argList& args)
 
     // What a live run is writing is incomplete, too
     lockCase(args);
+    refuseEmptyMeshFiles(args);
 
     wordList incomplete;
     if (Pstream::master())

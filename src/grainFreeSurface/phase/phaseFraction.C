@@ -32,6 +32,8 @@ Foam::phaseFraction::phaseFraction
     range_(0, 0)
 {
     checkControls(fluid.alpha());
+    eps.mesh().divScheme("div(phi,alpha)");
+    eps.mesh().divScheme("div(phirb,alpha)");
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps);
     continued_.apply(fluid.alpha());

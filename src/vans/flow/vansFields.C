@@ -27,6 +27,22 @@ Foam::IOobject at
 }
 
 
+//- Fatal if a field of the start has absurd values
+void checkMagnitude(const Foam::IOobject& io, const Foam::scalarField& magnitude)
+{
+    using namespace Foam;
+    const scalar most = gMax(magnitude);
+    if (!(most <= GREAT))
+    {
+        FatalErrorInFunction
+            << "Keyword 'internalField' of the file " << io.objectPath()
+            << " has a value of magnitude " << most << nl
+            << "    allowed: finite values of at most " << GREAT
+            << exit(FatalError);
+    }
+}
+
+
 //- On all ranks
 bool isThere(const Foam::fvMesh& mesh, const Foam::word& name)
 {
@@ -52,5 +68,9 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
 {
     dictionaryInput::checkDimensions(U, U.dimensions(), dimVelocity);
     dictionaryInput::checkDimensions(p_rgh, p_rgh.dimensions(), dimPressure);
+    checkMagnitude(U, cmptMax(cmptMag(U.primitiveField())));
+    checkMagnitude(p_rgh, mag(p_rgh.primitiveField()));
+    mesh.solverDict(p_rgh.name());
+    mesh.divScheme("div(tau)");
     reportMissingFields(mesh, {"phiU", "phiAlpha", "phi"}, "made from U");
 }

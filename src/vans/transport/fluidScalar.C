@@ -48,7 +48,11 @@ Foam::fluidScalar::fluidScalar
     carriedOut_(mesh.boundary().size(), Zero),
     diffusedOut_(mesh.boundary().size(), Zero),
     broughtIn_(0)
-{}
+{
+    // Of the flux that transports
+    mesh.divScheme("div(phiFluid," + name + ')');
+    mesh.solverDict(name);
+}
 
 
 void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Two fluids and grains on meshes that move or change their cells."""
 
+import re
+
+import grainplot
 import numpy as np
 import pytest
 from grain_box import control, replace
@@ -114,6 +117,27 @@ def test_cells_of_the_surface_are_refined(clone):
     case.run("grainInterFoam")
     assert case.log.count("Refined from") >= 2 and case.log.count("Unrefined from") >= 2
     assert_kept(case, 0.053 * 0.01)
+
+
+def test_cells_of_grains_and_of_the_surface_are_refined(clone):
+    case = spheres_into_water(clone)
+    refinement = re.sub("field .*;", "field refinement;", REFINEMENT)
+    refinement = re.sub("lowerRefineLevel .*;", "lowerRefineLevel 0.5;", refinement)
+    refinement = re.sub("unrefineLevel .*;", "unrefineLevel 0.5;", refinement)
+    write(case, "constant/dynamicMeshDict", "dictionary", refinement)
+    watched = 'type refinementIndicator; libs ("libgrainFunctionObjects.so"); alpha alpha.water;'
+    indicator = f"functions\n{{\n    indicator {{ {watched} }}"
+    replace(case, "system/controlDict", "functions\n{", indicator)
+    control(case, endTime=0.05, writeInterval=50)
+    case.run("grainInterFoam")
+    assert_kept(case, 0.053 * 0.01)
+    case.run("postProcess -func writeCellVolumes -latestTime")
+    names = ("V", "eps", "alpha.water")
+    volumes, eps, alpha = (grainplot.read_field(case.path, case.times[-1], n) for n in names)
+    coarse = volumes > 0.5 * 0.0125**3
+    assert eps[coarse].min() > 0.9
+    mixed = (alpha > 0.05) & (alpha < 0.95)
+    assert not (mixed & coarse).any()
 
 
 @pytest.mark.parallel

@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+   SPDX-FileCopyrightText: 2026 The grainFoam authors
+   SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "refinementIndicator.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryInput.H"
+#include "functionKeywords.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(refinementIndicator, 0);
+    addToRunTimeSelectionTable(functionObject, refinementIndicator, dictionary);
+}
+}
+
+namespace
+{
+
+const Foam::word none("none");
+
+// As the Courant number of the surface
+constexpr Foam::scalar leastAlpha = 0.01;
+
+}
+
+
+Foam::functionObjects::refinementIndicator::refinementIndicator
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict)
+{
+    read(dict);
+}
+
+
+bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    checkFunctionKeywords(dict, {"alpha", "fluidFraction", "result"});
+
+    alphaName_ = dict.getOrDefault<word>("alpha", none);
+    resultName_ = dict.getOrDefault<word>("result", "refinement");
+    fluidFraction_ = dictionaryInput::getScalarOrDefault
+    (
+        dict, "fluidFraction", dimless, 0.999, 0, 1
+    );
+    result_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                resultName_,
+                time_.timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE
+            ),
+            mesh_,
+            dimensionedScalar(dimless, Zero),
+            zeroGradientFvPatchScalarField::typeName
+        )
+    );
+    update();
+    return true;
+}
+
+
+const Foam::volScalarField& Foam::functionObjects::refinementIndicator::field
+(
+    const char* keyword,
+    const word& fieldName
+) const
+{
+    const auto* found = mesh_.cfindObject<volScalarField>(fieldName);
+    if (!found)
+    {
+        FatalErrorInFunction
+            << "Keyword '" << keyword << "' of the function object '" << name()
+            << "' has the value " << fieldName << nl
+            << "    allowed: the name of a field of the solver, as alpha.water"
+            << exit(FatalError);
+    }
+    return *found;
+}
+
+
+void Foam::functionObjects::refinementIndicator::update()
+{
+    scalarField& values = result_->primitiveFieldRef();
+    values = Zero;
+    if (const auto* eps = mesh_.cfindObject<volScalarField>("eps"))
+    {
+        values = max(values, neg(eps->primitiveField() - fluidFraction_));
+    }
+    if (alphaName_ != none)
+    {
+        const scalarField& alpha = field("alpha", alphaName_).primitiveField();
+        values = max
+        (
+            values,
+            pos0(alpha - leastAlpha)*pos0(1 - leastAlpha - alpha)
+        );
+    }
+    result_->correctBoundaryConditions();
+}
+
+
+bool Foam::functionObjects::refinementIndicator::execute()
+{
+    update();
+    return true;
+}

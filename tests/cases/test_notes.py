@@ -78,6 +78,8 @@ def test_dictionaries_may_have_names_of_their_own(clone):
     replace(case, GRAINS, "shape   disc;\n\n", '#include "parameters"\nmu 0.3;\nshape disc;\n\n')
     replace(case, GRAINS, "friction    0.3", "friction $mu")
     control(case, endTime=0.001)
+    case.run("decomposePar")
+    case.parallel("grainFoam", 2)
     case.run("grainFoam")
     replace(case, GRAINS, "$mu", "0.3")
     assert case.run("grainFoam", check=False) == 1

@@ -5,6 +5,8 @@
 
 #include "userNames.H"
 
+#include "Pstream.H"
+
 #include <algorithm>
 #include <fstream>
 #include <numeric>
@@ -159,6 +161,11 @@ bool Foam::dictionaryInput::isUserName
     const wordList& known
 )
 {
+    // The master has the file, and has looked at the same entries
+    if (Pstream::parRun() && !Pstream::master())
+    {
+        return true;
+    }
     const textOfDictionary text(textOf(dict));
     if (isUsed(text.own, keyword) || isUsed(text.included, keyword))
     {

@@ -13,7 +13,7 @@ G, DEPTH = 9.81, 122.0
 FAR, LEVEL_SHORE = 1342.0, 45.0  # the far edge of the water [m]; slope [degrees]
 # Observed trim line; largest amplitude at 885 m in the model of Fritz et al. 2001
 RUN_UP, GAUGE = 524.0, 152.0
-SHOWN = (0, 5, 10, 20, 30, 40, 50, 60)
+SHOWN = (2.5, 5, 10, 20, 30, 40, 50, 60)
 
 
 def scale_of(case):
@@ -40,10 +40,15 @@ def largest(times, values, first, last):
     return values[i], times[i]
 
 
-def impact(case, name):
+def written(case):
+    """Times with grains."""
+    return [t for t in grainplot.times(case) if (case / t / "grains.h5").exists()]
+
+
+def impact(case):
     """Mean speed of the grains when the first of them reaches the water, and the time."""
     scale = scale_of(case)
-    for time in grainplot.times(case):
+    for time in written(case):
         grains = grainplot.read_grains(case, time)
         if grains["position"][:, 1].min() < 0:
             speed = np.linalg.norm(grains["velocity"], axis=1).mean() / scale**0.5
@@ -53,17 +58,18 @@ def impact(case, name):
 
 def sheet(name, case):
     mesh, scale = grainplot.read_mesh(case), scale_of(case)
-    written = grainplot.times(case)
-    at = np.array([float(time) for time in written]) / scale**0.5
+    times = written(case)
+    at = np.array([float(time) for time in times]) / scale**0.5
     shown = sorted({int(np.argmin(abs(at - t))) for t in SHOWN if t <= at[-1] + 1})
+    shown = shown or [len(at) - 1]
     rows = -(-len(shown) // 2)
     figure, axes = plt.subplots(
         rows, 2, figsize=(14, 4 * rows), layout="constrained", squeeze=False
     )
     for ax, i in zip(axes.ravel(), shown, strict=False):
-        alpha = grainplot.read_field(case, written[i], "alpha.water", len(mesh.polygons))
+        alpha = grainplot.read_field(case, times[i], "alpha.water", len(mesh.polygons))
         grainplot.draw_cells(ax, mesh, alpha, lines=False, cmap="Blues", clim=(0, 1.2))
-        grains = grainplot.read_grains(case, written[i])
+        grains = grainplot.read_grains(case, times[i])
         grainplot.draw_grains(ax, grains, facecolors="sienna", linewidths=0)
         ax.axhline(RUN_UP * scale, xmin=0.7, color="firebrick", lw=0.8)
         ax.set(title=f"t = {at[i]:.0f} s", aspect="equal", facecolor="0.85")
@@ -86,7 +92,7 @@ def main():
         sheet(name, case)
         up, gauges = series(case, "runUp"), series(case, "levels")
         t = up["time"]
-        speed, start = impact(case, name)
+        speed, start = impact(case)
         highest, when = largest(t, up["runUp"], 0, np.inf)
         # The water has to come back in between
         second, _ = largest(t, up["runUp"], when + 25, np.inf)

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""bay, watched: numbers of the case: setUp.py scale cell end  [-], [m], [s] of the bay
+"""bay, watched: numbers of the case: setUp.py scale cell end coarser  [-], [m], [s], [-] of the bay
 
 A scale of 1/675 makes the model of Fritz et al. 2001: lengths are divided by 675, times by its
-root, speeds too; gravity, densities and the fluids stay.
+root, speeds too; gravity, densities and the fluids stay.  Grains are coarser by the last factor.
 """
 
 import sys
 from pathlib import Path
 
-scale, cell, end = (float(word) for word in sys.argv[1:])
+scale, cell, end, coarser = (float(word) for word in sys.argv[1:])
 time = scale**0.5
 
 bay = {
@@ -23,8 +23,10 @@ bay = {
     "slideLength": 970 * scale,
     "slideThickness": 92 * scale,
     # 27 960 discs of three sizes to one in half of that have a mean diameter of 1.25 m
-    "minRadius": 0.313 * scale,
-    "maxRadius": 0.939 * scale,
+    "minRadius": 0.313 * coarser * scale,
+    "maxRadius": 0.939 * coarser * scale,
+    # Fewer grains leave wider gaps at the sides
+    "solidFraction": 0.846 if coarser == 1 else 0.8,
     "packingRatio": 0.73,
     "tolerance": 2.5e-4 * scale,
     "end": end * time,

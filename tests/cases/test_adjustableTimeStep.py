@@ -101,6 +101,25 @@ def test_a_pile_at_rest_stays_at_rest_while_steps_grow(clone):
     assert np.abs(case.grains()["position"] - pile).max() <= 1e-5
 
 
+@pytest.mark.parametrize("held", [True, False], ids=["fixed", "none"])
+def test_steps_grow_without_grains_that_move(clone, held):
+    """From that of controlDict by a fifth, to the limit, and go on after a restart."""
+    whole, parts = (
+        grain_box(clone, PILE if held else [], RADIUS, name=name) for name in ("a", "b")
+    )
+    for case in (whole, parts):
+        replace(case, "constant/grainProperties", "\ncoupling\n{", "\ncoupling\n{ motion fixed;")
+        adjusting(case, end=0.04, maxDeltaT=2e-3)
+        control(case, deltaT=1e-4)
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.02, end=0.04)
+    length = steps(whole)
+    assert length[0] == pytest.approx(1e-4, rel=1e-2)
+    # Whole steps to the next time of writing
+    assert 1.8e-3 < length.max() <= 2e-3
+    # Times of writing have the digits of their names
+    np.testing.assert_allclose(steps(parts), length, rtol=1e-6)
+
+
 @pytest.mark.parallel
 def test_ranks_take_the_same_steps(clone):
     one, many = (grain_box(clone, PILE, RADIUS, name=name) for name in ("one", "many"))

@@ -204,9 +204,11 @@ void Foam::adjustableTimeStep::set
         return;
     }
 
-    // To round-off the last step of the grains' state, which restarts know
-    const scalar last = grains_.motion().lastTimeStep();
-    const scalar before = last > 0 ? last : time_.deltaTValue();
+    // To round-off the last step of the grains' state, which restarts know; grains
+    // that are fixed, and none, have no such state
+    const scalar ofGrains = grains_.motion().lastTimeStep();
+    const scalar before = ofGrains > 0 ? ofGrains : time_.deltaTValue();
+    const bool isFirst = !(ofGrains > 0) && time_.timeIndex() == 0;
 
     std::vector<namedLimit> all
     ({
@@ -236,10 +238,10 @@ void Foam::adjustableTimeStep::set
         }
     }
 
-    scalar deltaT = last > 0 ? grown(before, limit) : min(before, limit);
+    scalar deltaT = isFirst ? min(before, limit) : grown(before, limit);
     if (deltaT < limit)
     {
-        governing = last > 0 ? "growth" : "deltaT";
+        governing = isFirst ? "deltaT" : "growth";
     }
 
     const scalar toWrite = timeToWrite(deltaT);

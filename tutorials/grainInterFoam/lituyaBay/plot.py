@@ -20,6 +20,11 @@ def scale_of(case):
     return float(re.search(r"(?m)^scale (\S+);", (case / "bay").read_text())[1])
 
 
+def cell_of(case):
+    """Height of a cell at the ground [m] of the bay."""
+    return 500 / float(re.search(r"(?m)^high (\S+);", (case / "bay").read_text())[1])
+
+
 def series(case, file):
     """Columns, in metres and seconds of the bay, from the start of the run."""
     scale = scale_of(case)
@@ -29,6 +34,21 @@ def series(case, file):
         name: np.atleast_1d(table[name]) / (scale**0.5 if name == "time" else scale)
         for name in table.dtype.names
     }
+
+
+def run_up(case):
+    """Highest level on the far shore, of water as thick as a cell and of any, nan where dry."""
+    levels, thicknesses = series(case, "levels"), series(case, "thicknesses")
+    shore = [name for name in levels if name.startswith("station")][1:]
+    level = np.array([levels[name] for name in shore])
+    thick = np.array([thicknesses[name] for name in shore]) >= cell_of(case)
+    any_level = np.where(np.isnan(level), -np.inf, level)
+
+    def highest(values):
+        top = values.max(axis=0)
+        return np.where(np.isfinite(top), top, np.nan)
+
+    return highest(np.where(thick, any_level, -np.inf)), highest(any_level)
 
 
 def largest(times, values, first, last):
@@ -72,7 +92,7 @@ def sheet(name, case):
         grains = grainplot.read_grains(case, times[i])
         grainplot.draw_grains(ax, grains, facecolors="sienna", linewidths=0)
         ax.axhline(RUN_UP * scale, xmin=0.7, color="firebrick", lw=0.8)
-        ax.set(title=f"t = {at[i]:.0f} s", aspect="equal", facecolor="0.85")
+        ax.set(title=f"t = {at[i]:g} s", aspect="equal", facecolor="0.85")
         ax.set(xlim=(-1000 * scale, 2150 * scale), ylim=(-150 * scale, 1000 * scale))
     for ax in axes.ravel()[len(shown) :]:
         ax.set_axis_off()
@@ -90,19 +110,19 @@ def main():
     for case in sorted(Path(".").glob("bay_*")):
         name = case.name[len("bay_") :]
         sheet(name, case)
-        up, gauges = series(case, "runUp"), series(case, "levels")
-        t = up["time"]
+        gauges = series(case, "levels")
+        up, film = run_up(case)
+        t = gauges["time"]
         speed, start = impact(case)
-        highest, when = largest(t, up["runUp"], 0, np.inf)
+        highest, when = largest(t, up, 0, np.inf)
         # The water has to come back in between
-        second, _ = largest(t, up["runUp"], when + 25, np.inf)
+        second, _ = largest(t, up, when + 25, np.inf)
         crest, crest_at = largest(t, gauges["station0"], 0, 60)
-        film, _ = largest(t, up["film"], 0, np.inf)
         lines.append(
-            f"{name},{speed:.0f},{highest:.0f},{when:.1f},{film:.0f},{second:.0f},"
+            f"{name},{speed:.0f},{highest:.0f},{when:.1f},{np.nanmax(film):.0f},{second:.0f},"
             f"{crest:.0f},{crest_at:.1f}"
         )
-        left.plot((t - start) * unit, up["runUp"] / DEPTH, label=name)
+        left.plot((t - start) * unit, up / DEPTH, label=name)
         right.plot((gauges["time"] - start) * unit, gauges["station0"] / DEPTH, label=name)
     left.axhline(RUN_UP / DEPTH, color="firebrick", label="trim line, 524 m")
     left.set(xlabel="time after impact, t sqrt(g/h0)", ylabel="run-up/h0")

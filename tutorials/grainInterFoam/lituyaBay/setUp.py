@@ -46,8 +46,6 @@ Path("watched").write_text(
     libs            ("libgrainFunctionObjects.so");
     writeControl    adjustableRunTime;
     writeInterval   {0.1 * time:.9g};
-    // Over the ground, upright; what is thinner is a film
-    thickness       {cell * scale:.9g};
     stations
     (
 {stations}

@@ -27,7 +27,7 @@ namespace functionObjects
 namespace
 {
 
-constexpr Foam::scalar none = std::numeric_limits<Foam::scalar>::quiet_NaN();
+constexpr Foam::scalar noFront = std::numeric_limits<Foam::scalar>::quiet_NaN();
 
 }
 
@@ -40,8 +40,8 @@ Foam::functionObjects::granularFront::granularFront
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    lastTime_(none),
-    lastPlace_(none)
+    lastTime_(noFront),
+    lastPlace_(noFront)
 {
     read(dict);
 }
@@ -127,7 +127,7 @@ bool Foam::functionObjects::granularFront::write()
     }
     const label largest = number.empty() ? -1 : findMax(number);
 
-    scalar any = none, network = none, atLevel = none;
+    scalar any = noFront, network = noFront, atLevel = noFront;
     forAll(group, i)
     {
         const vector x(grains.centre(i) - origin_);
@@ -165,7 +165,7 @@ bool Foam::functionObjects::granularFront::write()
         << now << ',' << any << ',' << network << ','
         << (largest < 0 ? 0 : number[largest]) << ',' << atLevel << ','
         << speed << ','
-        << (depth_ > 0 && mag(g) > 0 ? speed/std::sqrt(mag(g)*depth_) : none)
+        << (depth_ > 0 && mag(g) > 0 ? speed/std::sqrt(mag(g)*depth_) : noFront)
         << endl;
     lastTime_ = now;
     lastPlace_ = place;

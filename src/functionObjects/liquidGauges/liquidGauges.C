@@ -28,7 +28,7 @@ namespace functionObjects
 namespace
 {
 
-constexpr Foam::scalar none = std::numeric_limits<Foam::scalar>::quiet_NaN();
+constexpr Foam::scalar dry = std::numeric_limits<Foam::scalar>::quiet_NaN();
 
 }
 
@@ -173,7 +173,7 @@ Foam::scalar Foam::functionObjects::liquidGauges::level
     }
     if (top < 0)
     {
-        return none;
+        return dry;
     }
     const label low = max(top - 3, 0);
     const label high = min(top + 3, parts.size() - 1);
@@ -230,7 +230,7 @@ bool Foam::functionObjects::liquidGauges::write()
     }
 
     scalarList levels(stations_.size()), thicknesses(stations_.size(), Zero);
-    scalar runUp = none, film = none;
+    scalar runUp = dry, film = dry;
     forAll(stations_, i)
     {
         const List<part> line(parts(i, up));

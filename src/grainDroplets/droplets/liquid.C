@@ -18,7 +18,7 @@ const dimensionSet dimLatentHeat(0, 2, -2, 0, 0);
 const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
 const dimensionSet dimConductivity(1, 1, -3, -1, 0);
 
-const dictionary& checked(const dictionary& dict)
+const dictionary& checkedLiquid(const dictionary& dict)
 {
     dictionaryInput::checkKeywords
     (
@@ -36,7 +36,7 @@ const dictionary& checked(const dictionary& dict)
 
 Foam::liquid::liquid(const dictionary& dict, const scalar fluidDensity)
 :
-    density(dictionaryInput::getPositive(checked(dict), "density", dimDensity)),
+    density(dictionaryInput::getPositive(checkedLiquid(dict), "density", dimDensity)),
     latentHeat(dictionaryInput::getPositive(dict, "latentHeat", dimLatentHeat)),
     boilingTemperature
     (

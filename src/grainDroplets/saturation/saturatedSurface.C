@@ -13,7 +13,7 @@ namespace
 
 using namespace Foam;
 
-const dictionary& checked(const dictionary& dict)
+const dictionary& checkedSurface(const dictionary& dict)
 {
     dictionaryInput::checkKeywords
     (
@@ -36,7 +36,7 @@ Foam::saturatedSurface::saturatedSurface
     liquid_(properties),
     curve_
     (
-        saturationCurve::New(dictionaryInput::subDict(checked(dict), "curve"))
+        saturationCurve::New(dictionaryInput::subDict(checkedSurface(dict), "curve"))
     ),
     pressure_(dictionaryInput::getPositive(dict, "pressure", dimPressure)),
     molarMasses_(dictionaryInput::getPositive(dict, "molarMasses", dimless)),

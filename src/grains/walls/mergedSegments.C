@@ -12,28 +12,28 @@ namespace
 {
 
 using nscd::Segment;
-typedef nscd::Vector<2> Point;
+typedef nscd::Vector<2> PlanePoint;
 
-struct Less
+struct ByX
 {
-    bool operator()(const Point& p, const Point& q) const
+    bool operator()(const PlanePoint& p, const PlanePoint& q) const
     {
         return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
     }
 };
 
-typedef std::map<Point, std::vector<std::size_t>, Less> Joints;
+typedef std::map<PlanePoint, std::vector<std::size_t>, ByX> Joints;
 
-const Point& farEnd(const Segment& s, const Point& joint)
+const PlanePoint& farEnd(const Segment& s, const PlanePoint& joint)
 {
     return s.a == joint ? s.b : s.a;
 }
 
 // Two segments of one material and body, one the straight continuation of the other
-bool isStraight(const Segment& s, const Segment& t, const Point& joint)
+bool isStraight(const Segment& s, const Segment& t, const PlanePoint& joint)
 {
-    const Point u(joint - farEnd(s, joint));
-    const Point v(farEnd(t, joint) - joint);
+    const PlanePoint u(joint - farEnd(s, joint));
+    const PlanePoint v(farEnd(t, joint) - joint);
     const double cross = u.x()*v.y() - u.y()*v.x();
 
     // Vertices of a mesh are written with a finite number of digits
@@ -45,16 +45,16 @@ bool isStraight(const Segment& s, const Segment& t, const Point& joint)
 }
 
 // The end of the straight line that begins with segment s at 'from'
-Point lineEnd
+PlanePoint lineEnd
 (
     const Foam::wallPieceList<2>& segments,
     const Joints& joints,
     std::size_t s,
-    const Point& from,
+    const PlanePoint& from,
     std::vector<bool>& used
 )
 {
-    Point end = farEnd(segments[s], from);
+    PlanePoint end = farEnd(segments[s], from);
     while (true)
     {
         used[s] = true;
@@ -81,7 +81,7 @@ nscd::Walls<2> Foam::mergedSegments(const wallPieceList<2>& segments)
     nscd::Walls<2> sorted(segments);
     for (Segment& s : sorted)
     {
-        if (Less()(s.b, s.a))
+        if (ByX()(s.b, s.a))
         {
             std::swap(s.a, s.b);
         }
@@ -91,7 +91,7 @@ nscd::Walls<2> Foam::mergedSegments(const wallPieceList<2>& segments)
         sorted.begin(), sorted.end(),
         [](const Segment& s, const Segment& t)
         {
-            return Less()(s.a, t.a) || (s.a == t.a && Less()(s.b, t.b));
+            return ByX()(s.a, t.a) || (s.a == t.a && ByX()(s.b, t.b));
         }
     );
 
@@ -109,8 +109,8 @@ nscd::Walls<2> Foam::mergedSegments(const wallPieceList<2>& segments)
         if (!used[i])
         {
             const Segment& s = sorted[i];
-            const Point forth = lineEnd(sorted, joints, i, s.a, used);
-            const Point back = lineEnd(sorted, joints, i, s.b, used);
+            const PlanePoint forth = lineEnd(sorted, joints, i, s.a, used);
+            const PlanePoint back = lineEnd(sorted, joints, i, s.b, used);
             merged.push_back({back, forth, s.material, s.body});
         }
     }

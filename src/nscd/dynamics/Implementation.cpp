@@ -161,7 +161,23 @@ void ContactDynamics<D>::Implementation::setAmbient(std::vector<double> ambient)
     arrangement_.surround(ambient_, members_, candidates_);
 }
 
-template class ContactDynamics<2>::Implementation;
-template class ContactDynamics<3>::Implementation;
+template ContactDynamics<2>::Implementation::Implementation(Grains<2>, Walls<2>, ContactTable, Settings, MPI_Comm,
+                                                            std::vector<WallBody<2>>);
+template ContactDynamics<3>::Implementation::Implementation(Grains<3>, Walls<3>, ContactTable, Settings, MPI_Comm,
+                                                            std::vector<WallBody<3>>);
+template void ContactDynamics<2>::Implementation::measureGrains();
+template void ContactDynamics<3>::Implementation::measureGrains();
+template void ContactDynamics<2>::Implementation::setWallMotion(int, const Vector<2>&, const Spin<2>&);
+template void ContactDynamics<3>::Implementation::setWallMotion(int, const Vector<3>&, const Spin<3>&);
+template void ContactDynamics<2>::Implementation::setWallLoad(int, const Vector<2>&, const Spin<2>&);
+template void ContactDynamics<3>::Implementation::setWallLoad(int, const Vector<3>&, const Spin<3>&);
+template std::vector<ContactForce<2>> ContactDynamics<2>::Implementation::ownContacts() const;
+template std::vector<ContactForce<3>> ContactDynamics<3>::Implementation::ownContacts() const;
+template std::vector<ContactForce<2>> ContactDynamics<2>::Implementation::contacts() const;
+template std::vector<ContactForce<3>> ContactDynamics<3>::Implementation::contacts() const;
+template void ContactDynamics<2>::Implementation::setTemperature(std::vector<double>);
+template void ContactDynamics<3>::Implementation::setTemperature(std::vector<double>);
+template void ContactDynamics<2>::Implementation::setAmbient(std::vector<double>);
+template void ContactDynamics<3>::Implementation::setAmbient(std::vector<double>);
 
 }  // namespace nscd

@@ -21,7 +21,7 @@ constexpr double cautiousShare = 0.1;
 constexpr int firstLook = 4;
 
 /// Part of the tolerance below which the work queue lets changes wait.
-constexpr double waiting = 0.3;
+constexpr double waitingShare = 0.3;
 
 /// Part of the sweeps after which momentum is given up: friction has no potential, and the last digits are those of
 /// plain sweeps.
@@ -73,7 +73,7 @@ Change ContactDynamics<D>::Implementation::pass(double tolerance)
                     [&](int group)
                     {
                         const Change change = settings_.solver == Solver::queue
-                                                  ? problem_.workQueue(group, bodies_, waiting * tolerance)
+                                                  ? problem_.workQueue(group, bodies_, waitingShare * tolerance)
                                                   : problem_.sweep(group, bodies_);
                         sums[candidates_.groups()[group].first] += change.sum;
                         total.solves += change.solves;

@@ -276,7 +276,15 @@ double ContactDynamics<D>::Implementation::largestWallSpeed(double dt) const
     return largest;
 }
 
-template class ContactDynamics<2>::Implementation;
-template class ContactDynamics<3>::Implementation;
+template void ContactDynamics<2>::Implementation::advance(double, StepReport&);
+template void ContactDynamics<3>::Implementation::advance(double, StepReport&);
+template double ContactDynamics<2>::Implementation::wallDisplacement(double) const;
+template double ContactDynamics<3>::Implementation::wallDisplacement(double) const;
+template double ContactDynamics<2>::Implementation::largestWallSpeed(double) const;
+template double ContactDynamics<3>::Implementation::largestWallSpeed(double) const;
+template void ContactDynamics<2>::Implementation::rebuildCandidates(const Vectors<2>&, const Orientations<2>&, double,
+                                                                    const std::vector<NamedImpulse<2>>&);
+template void ContactDynamics<3>::Implementation::rebuildCandidates(const Vectors<3>&, const Orientations<3>&, double,
+                                                                    const std::vector<NamedImpulse<3>>&);
 
 }  // namespace nscd

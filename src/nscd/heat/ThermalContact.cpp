@@ -3,6 +3,8 @@
 
 #include "nscd/heat/ThermalContact.hpp"
 
+#include "nscd/base/Pi.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,6 @@ namespace nscd
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 double compliance(const ThermalMaterial& material)
 {

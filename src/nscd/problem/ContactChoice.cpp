@@ -13,7 +13,7 @@ namespace
 
 /// Contacts that would stay apart by less than this fraction of the smaller radius are chosen all the same: their
 /// velocities change during the sweeps, and what is missed costs another choice.
-constexpr double margin = 0.02;
+constexpr double safeGap = 0.02;
 
 /// An overlap deeper than this fraction of the smaller radius is removed in several steps, so that the grains
 /// nearby are noticed in time.
@@ -73,7 +73,7 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
         {
             const Pair& pair = candidates_.pairs()[p];
             const double radius = arrangement_.radius(pair);
-            if (!kept_[p] && staysApart(pair, margin * radius, bodies))
+            if (!kept_[p] && staysApart(pair, safeGap * radius, bodies))
             {
                 continue;
             }
@@ -84,7 +84,7 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
             }
             const auto& [approach, gap] = *met;
             const int i = candidates_.body(pair.first);
-            if (gap + dt_ * openingVelocity(pair, approach, bodies) >= margin * radius && !kept_[p])
+            if (gap + dt_ * openingVelocity(pair, approach, bodies) >= safeGap * radius && !kept_[p])
             {
                 continue;
             }

@@ -25,7 +25,7 @@ constexpr double astray = 1.02;
 constexpr int firstPatience = 100;
 
 /// What one sweep changed, in units of velocity: W_NN times the change of the impulse [m/s].
-struct Change
+struct SweepChange
 {
     double largest = 0;
     double total = 0;  ///< root of the sum of squares
@@ -155,7 +155,7 @@ private:
     }
 
     /// Gauss-Seidel; decides whether the solver is done.
-    Change sweep()
+    SweepChange sweep()
     {
         double largest = 0, sum = 0;
         for (int c = 0; c < contacts_; ++c)
@@ -165,7 +165,7 @@ private:
             sum += square;
         }
         s_.sweeps += 1;
-        const Change change{std::sqrt(largest), std::sqrt(sum)};
+        const SweepChange change{std::sqrt(largest), std::sqrt(sum)};
         const bool lost = !(change.total <= bound_);
         if (change.largest <= checkBelow_ || s_.sweeps >= limits_.maxSweeps || lost)
         {

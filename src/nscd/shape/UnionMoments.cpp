@@ -3,6 +3,8 @@
 
 #include "nscd/shape/UnionMoments.hpp"
 
+#include "nscd/base/Pi.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -14,8 +16,6 @@ namespace
 {
 
 using Complex = std::complex<double>;
-
-constexpr double pi = 3.14159265358979323846;
 
 /// A disc of the complex plane.
 struct Disc

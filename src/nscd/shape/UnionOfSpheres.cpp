@@ -3,6 +3,8 @@
 
 #include "nscd/shape/UnionMoments.hpp"
 
+#include "nscd/base/Pi.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +15,6 @@ namespace nscd
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Nodes and weights of Gauss-Legendre's rule on (0, 1).
 struct GaussRule

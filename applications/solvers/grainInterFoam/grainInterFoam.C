@@ -75,7 +75,11 @@ int main(int argc, char *argv[])
             {
                 exchange.meshChanged();
                 flow.meshChanged();
-                phase.meshChanged(carried.flux(), exchange.eps());
+                phase.meshChanged
+                (
+                    carried.flux(), exchange.eps(),
+                    exchange.resolved().locked()
+                );
                 carried.meshChanged();
                 ledger.meshChanged();
             }

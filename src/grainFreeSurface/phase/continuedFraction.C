@@ -9,6 +9,7 @@
 #include "gaussLaplacianScheme.H"
 #include "localMax.H"
 #include "localMin.H"
+#include "uncorrectedSnGrad.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::continuedFraction::continuedFraction(const fvMesh& mesh, const vector& g)
@@ -35,13 +36,12 @@ Foam::continuedFraction::continuedFraction(const fvMesh& mesh, const vector& g)
 
 Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::along() const
 {
-    // Across levels only what has no neighbour along its own
-    constexpr scalar across = 1e-9;
-
-    return max
+    // Of faces across levels, no more than round-off
+    const surfaceScalarField share
     (
-        1 - sqr((mesh_.Sf()/mesh_.magSf()) & down_), scalar(across)
+        1 - sqr((mesh_.Sf()/mesh_.magSf()) & down_)
     );
+    return share*pos(share - scalar(across));
 }
 
 
@@ -78,12 +78,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
 }
 
 
-void Foam::continuedFraction::findCovered(const volScalarField& eps)
+void Foam::continuedFraction::findCovered
+(
+    const volScalarField& eps,
+    const volScalarField& locked
+)
 {
+    const volScalarField open(pos(eps - covers)*pos(0.5 - locked));
     DynamicList<label> covered;
-    forAll(eps, celli)
+    forAll(open, celli)
     {
-        if (eps[celli] < covers)
+        if (open[celli] < 0.5)
         {
             covered.append(celli);
         }
@@ -99,7 +104,7 @@ void Foam::continuedFraction::findCovered(const volScalarField& eps)
         (
             new surfaceScalarField
             (
-                pos(fvc::interpolate(pos(eps - covers)) - (1 - SMALL))
+                pos(fvc::interpolate(open) - (1 - SMALL))
             )
         );
     }
@@ -108,17 +113,24 @@ void Foam::continuedFraction::findCovered(const volScalarField& eps)
 
 void Foam::continuedFraction::start
 (
-    const volScalarField& alpha,
-    const volScalarField& eps
+    volScalarField& alpha,
+    const volScalarField& eps,
+    const volScalarField& locked
 )
 {
-    findCovered(eps);
+    findCovered(eps, locked);
+    bool isKnown = true;
     for (const label celli : covered_)
     {
         if (carried_[celli] < 0)
         {
+            isKnown = false;
             carried_[celli] = alpha[celli];
         }
+    }
+    if (!returnReduce(isKnown, andOp<bool>()))
+    {
+        apply(alpha);
     }
 }
 
@@ -126,10 +138,11 @@ void Foam::continuedFraction::start
 void Foam::continuedFraction::restart
 (
     const volScalarField& alpha,
-    const volScalarField& eps
+    const volScalarField& eps,
+    const volScalarField& locked
 )
 {
-    findCovered(eps);
+    findCovered(eps, locked);
     keep(alpha);
 }
 
@@ -137,11 +150,12 @@ void Foam::continuedFraction::restart
 void Foam::continuedFraction::update
 (
     volScalarField& alpha,
-    const volScalarField& eps
+    const volScalarField& eps,
+    const volScalarField& locked
 )
 {
     restore(alpha);
-    findCovered(eps);
+    findCovered(eps, locked);
     keep(alpha);
 }
 
@@ -164,6 +178,53 @@ void Foam::continuedFraction::keep(const volScalarField& alpha)
 }
 
 
+void Foam::continuedFraction::solve
+(
+    const surfaceScalarField& weight,
+    const surfaceScalarField& takenBack,
+    volScalarField& continued
+) const
+{
+    tmp<fvScalarMatrix> tequation
+    (
+        fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+        (
+            weight*mesh_.magSf(), mesh_.nonOrthDeltaCoeffs(), continued
+        )
+    );
+    fvScalarMatrix& equation = tequation.ref();
+    const surfaceScalarField flux
+    (
+        takenBack*mesh_.magSf()
+       *fv::uncorrectedSnGrad<scalar>(mesh_).snGrad(continued)
+    );
+    equation.source() +=
+        mesh_.V()*fvc::surfaceIntegrate(flux)().primitiveField();
+
+    labelList open(mesh_.nCells() - covered_.size());
+    scalarField values(open.size());
+    label openi = 0, coveredi = 0;
+    forAll(continued, celli)
+    {
+        if (coveredi < covered_.size() && covered_[coveredi] == celli)
+        {
+            ++coveredi;
+            continue;
+        }
+        open[openi] = celli;
+        values[openi++] = continued[celli];
+    }
+    equation.setValues(open, values);
+
+    dictionary controls;
+    controls.add("solver", "PCG");
+    controls.add("preconditioner", "DIC");
+    controls.add("tolerance", 1e-13);
+    controls.add("relTol", 0);
+    equation.solve(controls);
+}
+
+
 void Foam::continuedFraction::apply(volScalarField& alpha) const
 {
     if (!isAny_)
@@ -180,34 +241,11 @@ void Foam::continuedFraction::apply(volScalarField& alpha) const
     continued.primitiveFieldRef() = alpha.primitiveField();
     continued.correctBoundaryConditions();
 
-    tmp<fvScalarMatrix> tequation
-    (
-        fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-        (
-            along()*mesh_.magSf(), mesh_.nonOrthDeltaCoeffs(), continued
-        )
-    );
-    labelList open(mesh_.nCells() - covered_.size());
-    scalarField values(open.size());
-    label openi = 0, coveredi = 0;
-    forAll(continued, celli)
-    {
-        if (coveredi < covered_.size() && covered_[coveredi] == celli)
-        {
-            ++coveredi;
-            continue;
-        }
-        open[openi] = celli;
-        values[openi++] = continued[celli];
-    }
-    tequation.ref().setValues(open, values);
-
-    dictionary controls;
-    controls.add("solver", "PCG");
-    controls.add("preconditioner", "DIC");
-    controls.add("tolerance", 1e-13);
-    controls.add("relTol", 0);
-    tequation.ref().solve(controls);
+    // What passes across levels is taken back, so that it is left only where a
+    // level is covered from wall to wall
+    const surfaceScalarField alongLevels(max(along(), scalar(across)));
+    solve(alongLevels, surfaceScalarField(0*alongLevels), continued);
+    solve(alongLevels, pos(2*across - alongLevels)*alongLevels, continued);
 
     for (const label celli : covered_)
     {

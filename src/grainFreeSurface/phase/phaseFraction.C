@@ -19,6 +19,7 @@ Foam::phaseFraction::phaseFraction
 (
     twoFluids& fluid,
     const volScalarField& eps,
+    const volScalarField& locked,
     const dimensionedVector& g
 )
 :
@@ -35,8 +36,7 @@ Foam::phaseFraction::phaseFraction
     eps.mesh().divScheme("div(phi,alpha)");
     eps.mesh().divScheme("div(phirb,alpha)");
     eps.mesh().setFluxRequired(fluid.alpha().name());
-    continued_.start(fluid.alpha(), eps);
-    continued_.apply(fluid.alpha());
+    continued_.start(fluid.alpha(), eps, locked);
     fluid.correct();
     fluid.correctSurface();
 }
@@ -219,7 +219,7 @@ void Foam::phaseFraction::carry
     );
     moved.setOriented();
     scalarField filled(mesh.nCells(), Zero);
-    continued_.update(alpha, eps);
+    continued_.update(alpha, eps, locked);
     const surfaceScalarField swap(continued_.swap(flux.fraction(), locked));
     for (label i = 0; i < nSubCycles_; ++i)
     {
@@ -279,7 +279,8 @@ void Foam::phaseFraction::beforeMeshChange(const transportFlux& flux)
 void Foam::phaseFraction::meshChanged
 (
     const transportFlux& flux,
-    const volScalarField& eps
+    const volScalarField& eps,
+    const volScalarField& locked
 )
 {
     volScalarField& alpha = fluid_.alpha();
@@ -287,7 +288,7 @@ void Foam::phaseFraction::meshChanged
     {
         alpha.primitiveFieldRef() =
             content_().primitiveField()/flux.fraction().primitiveField();
-        continued_.restart(alpha, eps);
+        continued_.restart(alpha, eps, locked);
     }
     continued_.apply(alpha);
     alpha.correctBoundaryConditions();

@@ -12,6 +12,36 @@
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 
+namespace
+{
+
+//- Whether further corrections for faces that are not orthogonal change anything
+class nonOrthogonalProgress
+{
+    Foam::scalar last_ = Foam::GREAT;
+
+    bool isOver_ = false;
+
+public:
+
+    //- Where a solver finds nothing left to do, or what it finds is round-off
+    void add(const Foam::solverPerformance& solution)
+    {
+        constexpr Foam::scalar roundOff = 1e-12;
+
+        const Foam::scalar residual = solution.initialResidual();
+        isOver_ =
+            solution.nIterations() == 0
+         || (residual < roundOff && residual > 0.5*last_);
+        last_ = residual;
+    }
+
+    bool isOver() const { return isOver_; }
+};
+
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
 (
     const volVectorField& H
@@ -77,19 +107,31 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     }
 
     tmp<surfaceScalarField> tgradient;
+    nonOrthogonalProgress progress;
     while (control.correctNonOrthogonal())
     {
+        const bool isFinal = control.finalNonOrthogonalIter();
+        if (progress.isOver() && !isFinal)
+        {
+            continue;
+        }
         fvScalarMatrix p_rghEqn
         (
             fvm::laplacian(faces.diffusivity, p_rgh) == source()
         );
         p_rghEqn.setReference(pRefCell_, getRefCellValue(p_rgh, pRefCell_));
-        p_rghEqn.solve(mesh_.solverDict(p_rgh.select(control.finalInnerIter())));
+        progress.add
+        (
+            p_rghEqn.solve
+            (
+                mesh_.solverDict(p_rgh.select(control.finalInnerIter()))
+            )
+        );
 
         // At once: OpenFOAM trips over the residual of the next solution
         checkFinite();
 
-        if (control.finalNonOrthogonalIter())
+        if (isFinal)
         {
             tgradient = p_rghEqn.flux()/faces.diffusivity;
             fields_.phi = phiMixture - faces.mobility*tgradient();

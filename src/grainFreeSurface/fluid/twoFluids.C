@@ -40,6 +40,8 @@ Foam::twoFluids::twoFluids
     mixture_(U, phiU),
     tension_(surfaceTensionModel::New(mixture_, mesh_)),
     weight_(mesh_, g),
+    gravity_(mag(g.value())),
+    levels_(mesh_, g.value()),
     rho_
     (
         IOobject("rho", U.time().timeName(), mesh_),
@@ -100,8 +102,14 @@ void Foam::twoFluids::correct()
 
 Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::faceForce() const
 {
+    tmp<surfaceScalarField> heights(weight_.heights());
+    if (levels_.isNeeded())
+    {
+        heights =
+            levels_.heights(alpha(), heights, gravity_, weight_.reference());
+    }
     return
-        weight_.force(rho_)
+        weight_.force(rho_, heights())
       - mixture_.surfaceTensionForce()*mesh_.magSf();
 }
 
@@ -179,6 +187,7 @@ void Foam::twoFluids::setMass
 
 void Foam::twoFluids::meshChanged()
 {
+    levels_.meshChanged();
     if (mesh_.topoChanging())
     {
         deltaT_.value() = 0;

@@ -12,9 +12,15 @@
 #include "uncorrectedSnGrad.H"
 #include "zeroGradientFvPatchFields.H"
 
-Foam::continuedFraction::continuedFraction(const fvMesh& mesh, const vector& g)
+Foam::continuedFraction::continuedFraction
+(
+    const surfaceLevels& levels,
+    const fvMesh& mesh,
+    const vector& g
+)
 :
     mesh_(mesh),
+    levels_(levels),
     down_(mag(g) > SMALL ? g/mag(g) : vector(Zero)),
     carried_
     (
@@ -47,6 +53,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::along() const
 
 Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
 (
+    const volScalarField& alpha,
     const volScalarField& fraction,
     const volScalarField& locked
 ) const
@@ -67,6 +74,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
        *localMin<scalar>(mesh_).interpolate(volume)
        /(mesh_.time().deltaT()*mesh_.nonOrthDeltaCoeffs())
     );
+    if (levels_.isNeeded())
+    {
+        tswap.ref() *= offLevel(alpha);
+    }
     for (fvsPatchScalarField& patch : tswap.ref().boundaryFieldRef())
     {
         if (!patch.coupled())
@@ -178,6 +189,33 @@ void Foam::continuedFraction::keep(const volScalarField& alpha)
 }
 
 
+void Foam::continuedFraction::solveCovered(fvScalarMatrix& equation) const
+{
+    const scalarField& given = equation.psi().primitiveField();
+    labelList open(mesh_.nCells() - covered_.size());
+    scalarField values(open.size());
+    label openi = 0, coveredi = 0;
+    forAll(given, celli)
+    {
+        if (coveredi < covered_.size() && covered_[coveredi] == celli)
+        {
+            ++coveredi;
+            continue;
+        }
+        open[openi] = celli;
+        values[openi++] = given[celli];
+    }
+    equation.setValues(open, values);
+
+    dictionary controls;
+    controls.add("solver", "PCG");
+    controls.add("preconditioner", "DIC");
+    controls.add("tolerance", 1e-13);
+    controls.add("relTol", 0);
+    equation.solve(controls);
+}
+
+
 void Foam::continuedFraction::solve
 (
     const surfaceScalarField& weight,
@@ -201,27 +239,7 @@ void Foam::continuedFraction::solve
     equation.source() +=
         mesh_.V()*fvc::surfaceIntegrate(flux)().primitiveField();
 
-    labelList open(mesh_.nCells() - covered_.size());
-    scalarField values(open.size());
-    label openi = 0, coveredi = 0;
-    forAll(continued, celli)
-    {
-        if (coveredi < covered_.size() && covered_[coveredi] == celli)
-        {
-            ++coveredi;
-            continue;
-        }
-        open[openi] = celli;
-        values[openi++] = continued[celli];
-    }
-    equation.setValues(open, values);
-
-    dictionary controls;
-    controls.add("solver", "PCG");
-    controls.add("preconditioner", "DIC");
-    controls.add("tolerance", 1e-13);
-    controls.add("relTol", 0);
-    equation.solve(controls);
+    solveCovered(equation);
 }
 
 
@@ -247,6 +265,10 @@ void Foam::continuedFraction::apply(volScalarField& alpha) const
     solve(alongLevels, surfaceScalarField(0*alongLevels), continued);
     solve(alongLevels, pos(2*across - alongLevels)*alongLevels, continued);
 
+    if (levels_.isNeeded())
+    {
+        continueLevels(alpha, continued);
+    }
     for (const label celli : covered_)
     {
         alpha[celli] = max(min(continued[celli], scalar(1)), scalar(0));

@@ -24,7 +24,7 @@ Foam::phaseFraction::phaseFraction
 )
 :
     fluid_(fluid),
-    continued_(eps.mesh(), g.value()),
+    continued_(fluid.levels(), eps.mesh(), g.value()),
     nCorr_(readControl(fluid.alpha(), "nAlphaCorr", 1)),
     nSubCycles_(readControl(fluid.alpha(), "nAlphaSubCycles", 1)),
     liquid_(0),
@@ -220,7 +220,10 @@ void Foam::phaseFraction::carry
     moved.setOriented();
     scalarField filled(mesh.nCells(), Zero);
     continued_.update(alpha, eps, locked);
-    const surfaceScalarField swap(continued_.swap(flux.fraction(), locked));
+    const surfaceScalarField swap
+    (
+        continued_.swap(alpha, flux.fraction(), locked)
+    );
     for (label i = 0; i < nSubCycles_; ++i)
     {
         const scalar from = scalar(i)/nSubCycles_;
@@ -284,6 +287,7 @@ void Foam::phaseFraction::meshChanged
 )
 {
     volScalarField& alpha = fluid_.alpha();
+    fluid_.meshChanged();
     if (alpha.mesh().topoChanging())
     {
         alpha.primitiveFieldRef() =
@@ -293,6 +297,5 @@ void Foam::phaseFraction::meshChanged
     continued_.apply(alpha);
     alpha.correctBoundaryConditions();
     content_.clear();
-    fluid_.meshChanged();
     fluid_.correct();
 }

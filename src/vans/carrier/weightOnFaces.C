@@ -46,13 +46,51 @@ Foam::tmp<Foam::volScalarField> Foam::weightOnFaces::gh() const
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::difference
-(
-    const volScalarField& rho
-) const
+Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::heights() const
 {
     const tmp<volScalarField> tgh(gh());
     const volScalarField& gh = tgh();
+    tmp<surfaceScalarField> tresult
+    (
+        new surfaceScalarField
+        (
+            IOobject("ghOfFaces", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(gh.dimensions(), Zero)
+        )
+    );
+    surfaceScalarField& result = tresult.ref();
+
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    forAll(neighbour, facei)
+    {
+        result[facei] = 0.5*(gh[owner[facei]] + gh[neighbour[facei]]);
+    }
+    forAll(result.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& ghP = gh.boundaryField()[patchi];
+        const scalarField inside(ghP.patchInternalField());
+        if (ghP.coupled())
+        {
+            result.boundaryFieldRef()[patchi] =
+                0.5*(inside + ghP.patchNeighbourField());
+        }
+        else
+        {
+            result.boundaryFieldRef()[patchi] = 0.5*(inside + ghP);
+        }
+    }
+    return tresult;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::difference
+(
+    const volScalarField& rho,
+    const surfaceScalarField& gh
+) const
+{
     tmp<surfaceScalarField> tresult
     (
         new surfaceScalarField
@@ -69,21 +107,22 @@ Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::difference
     const labelUList& neighbour = mesh_.neighbour();
     forAll(neighbour, facei)
     {
-        const label P = owner[facei], N = neighbour[facei];
-        result[facei] = 0.5*(gh[P] + gh[N])*(rho[N] - rho[P]);
+        result[facei] = gh[facei]*(rho[neighbour[facei]] - rho[owner[facei]]);
     }
     forAll(result.boundaryField(), patchi)
     {
         const fvPatchScalarField& rhoP = rho.boundaryField()[patchi];
-        const fvPatchScalarField& ghP = gh.boundaryField()[patchi];
-        const scalarField rhoInside(rhoP.patchInternalField());
-        const scalarField ghInside(ghP.patchInternalField());
-
-        result.boundaryFieldRef()[patchi] =
-            rhoP.coupled()
-          ? 0.5*(ghInside + ghP.patchNeighbourField())
-           *(rhoP.patchNeighbourField() - rhoInside)
-          : 0.5*(ghInside + ghP)*(rhoP - rhoInside);
+        const fvsPatchScalarField& ghP = gh.boundaryField()[patchi];
+        const scalarField inside(rhoP.patchInternalField());
+        if (rhoP.coupled())
+        {
+            result.boundaryFieldRef()[patchi] =
+                ghP*(rhoP.patchNeighbourField() - inside);
+        }
+        else
+        {
+            result.boundaryFieldRef()[patchi] = ghP*(rhoP - inside);
+        }
     }
     return tresult;
 }
@@ -137,7 +176,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::force
     const volScalarField& rho
 ) const
 {
-    const surfaceScalarField difference(this->difference(rho));
+    return force(rho, heights());
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::weightOnFaces::force
+(
+    const volScalarField& rho,
+    const surfaceScalarField& gh
+) const
+{
+    const surfaceScalarField difference(this->difference(rho, gh));
     surfaceScalarField correction
     (
         mesh_.nonOrthCorrectionVectors()

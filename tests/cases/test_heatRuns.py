@@ -13,7 +13,7 @@ from grain_box import (
     replace,
     run_whole_and_parts,
 )
-from heat_box import GRAINS, fix_grains, heat_ledger, with_heat
+from heat_box import GRAIN_CP, GRAINS, KAPPA, fix_grains, heat_ledger, with_heat
 from sphere_box import decompose
 
 CONTACTS = "conductivity 50; youngsModulus 1e9;"
@@ -36,10 +36,10 @@ def settling(clone, name=None, radius=0.004, cells=10):
     return case
 
 
-def assert_books_close(case):
+def assert_books_close(case, tolerance=1e-12):
     book = heat_ledger(case)
-    assert book["fluidError"].max() <= 1e-12
-    assert book["grainError"].max() <= 1e-12
+    assert book["fluidError"].max() <= tolerance
+    assert book["grainError"].max() <= tolerance
     assert book["leastT"].min() >= 300 - 1e-9
     assert book["mostT"].max() <= 400 + 1e-9
     assert book["leastGrainT"].min() >= 300 - 1e-9
@@ -120,3 +120,86 @@ def test_pressure_without_gradient_at_walls_is_refused(clone):
     assert case.run("grainThermalFoam", check=False) != 0
     for text in ("0/p_rgh", "zeroGradient", "allowed: fixedFluxPressure"):
         assert text in case.log
+
+
+def without_weight(case):
+    file = case.path / "constant/g"
+    file.write_text(file.read_text().replace("-9.81", "0"))
+
+
+STRETCHED = (
+    "left { type fixedValue; value uniform 400; } right { type fixedValue; value uniform 300; }"
+    ' "bottom|top" { type zeroGradient; }'
+)
+
+
+@pytest.mark.parametrize(
+    "method", ["exactOverlap;", "diffused; length 0.02;"], ids=["exact", "diffused"]
+)
+def test_steady_heat_through_grains_does_not_depend_on_the_time_step(clone, method):
+    """Grains across several cells carry heat; what steps of 1e4 time constants found stays."""
+    case = grain_box(clone, lattice(6, 6, 0.013, (0.017, 0.019)), 0.006)
+    replace(case, GRAINS, "exactOverlap;", method)
+    fix_grains(case)
+    with_heat(case, 350, 350, STRETCHED)
+    without_weight(case)
+    constant = 2500 * GRAIN_CP * 0.012**2 / (6 * 2 * KAPPA)
+    end = 0.0
+    found = []
+    for steps, deltaT in ((60, 1e4), (100, 0.1), (30, 10)):
+        end += steps * deltaT * constant
+        control(case, deltaT=deltaT * constant, endTime=end, writeInterval=steps)
+        case.run("grainThermalFoam")
+        found.append((case.field("T", case.times[-1]), case.grains()["temperature"]))
+    # Round-off of what is exchanged to and fro in so long a step
+    assert_books_close(case, 1e-10)
+    for later in found[1:]:
+        for one, other in zip(found[0], later, strict=True):
+            assert np.ptp(one) > 20
+            np.testing.assert_allclose(one, other, rtol=0, atol=1e-6)
+
+
+def test_steady_heat_through_contacts_does_not_depend_on_the_time_step(clone):
+    """Two grains on a hot floor in colder water; of so little heat that they follow at once."""
+    case = grain_box(clone, [(0.05, 0.004), (0.05, 0.012)], 0.004)
+    # Motion of the start decays at once
+    replace(case, "constant/transportProperties", "1e-4;", "1e-2;")
+    little = 1e-3
+    material = f"heatCapacity {little}; {CONTACTS}"
+    fluid = f"Cp {little}; kappa {KAPPA};"
+    with_heat(case, 310, 310, COLD, fluid=fluid, heat="conductance strip;", ofGlass=material)
+    replace(case, GRAINS, "density 7800;", f"density 7800; {CONTACTS}")
+    replace(case, GRAINS, "        material    steel;", "        material steel; temperature 390;")
+    replace(case, GRAINS, "tolerance   1e-7", "tolerance   1e-14")
+    constant = 2500 * little * 0.008**2 / (4 * 2 * KAPPA)
+    found, end = [], 0.0
+    for steps, deltaT in ((600, 60), (50, 0.3)):
+        end += steps * deltaT * constant
+        control(case, deltaT=deltaT * constant, endTime=end, writeInterval=steps)
+        case.run("grainThermalFoam")
+        found.append((case.field("T", case.times[-1]), case.grains()["temperature"]))
+    assert_books_close(case, 1e-10)
+    assert heat_ledger(case)["walls"][-1] > 0
+    for one, other in zip(*found, strict=True):
+        assert np.ptp(one) > 5
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-6)
+
+
+def test_steady_heat_around_resolved_grains_does_not_depend_on_the_time_step(clone):
+    """Fixed discs of 16 cells between a hot and a cold side: what long steps found stays."""
+    case = grain_box(clone, [(0.031, 0.05), (0.067, 0.047)], 0.012)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(60 60 1)")
+    case.run("blockMesh")
+    fix_grains(case)
+    with_heat(case, 350, 350, STRETCHED, fluid="Cp 1; kappa 0.6;", ofGlass="heatCapacity 1;")
+    without_weight(case)
+    found, end = [], 0.0
+    for steps, deltaT in ((30, 1e2), (30, 0.1)):
+        end += steps * deltaT
+        control(case, deltaT=deltaT, endTime=end, writeInterval=steps)
+        case.run("grainThermalFoam")
+        found.append((case.field("T", case.times[-1]), case.grains()["temperature"]))
+    assert_books_close(case, 1e-8)
+    for one, other in zip(*found, strict=True):
+        assert np.ptp(one) > 20
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-6)

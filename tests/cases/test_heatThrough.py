@@ -77,8 +77,8 @@ def test_clusters_and_fluid_keep_their_heat(clone):
 
 
 def between_walls(clone, fluid, name=None, steps=40, deltaT=1e6):
-    """Fluid at rest between a hot and a cold wall, with a grain that covers nothing."""
-    case = grain_box(clone, [(0.05, 0.05)], 1e-5, name=name)
+    """Fluid at rest between a hot and a cold wall; a grain inside a cell covers nothing of it."""
+    case = grain_box(clone, [(0.055, 0.055)], 1e-5, name=name)
     patches = (
         f"left {{ type fixedValue; value uniform {HOT}; }}"
         f" right {{ type fixedValue; value uniform {COLD}; }}"

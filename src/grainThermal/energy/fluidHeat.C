@@ -62,7 +62,8 @@ void Foam::fluidHeat::solve
         (
             "C", cells.conductivity.dimensions()/dimViscosity, C
         ),
-        cells.perCapacity(C)
+        cells.perCapacity(C),
+        exchange.bodies()
     );
 
     const plateHeat& plates = fluid.plates();

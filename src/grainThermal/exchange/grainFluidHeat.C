@@ -88,6 +88,11 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     cellHeat result(openConductivity_);
     unresolved_.add(exchange_, U, result);
     resolved_.add(T, openConductivity_, result);
+    nodes_ = std::make_unique<heatNodes>
+    (
+        grains_, exchange_.resolved(), fluid_.capacity(),
+        unresolved_.conductance(), resolved_.lockedVolume(), result
+    );
     if (others_)
     {
         others_->add(T, result);
@@ -105,31 +110,47 @@ Foam::cellHeat Foam::grainFluidHeat::cells
 }
 
 
+Foam::bodyExchange* Foam::grainFluidHeat::bodies()
+{
+    return nodes_->isAlone() ? nullptr : nodes_.get();
+}
+
+
 void Foam::grainFluidHeat::give(const volScalarField& T)
 {
     grainTemperatures& grainT = grains_.temperatures();
     const scalar deltaT = T.time().deltaTValue();
+    nodes_->meet(T);
 
-    scalarField heat(grains_.size(), Zero);
-    unresolved_.addReceived(T, exchange_.resolved(), heat);
-    resolved_.addReceived(T, heat);
+    // What cells of resolved grains hold came through contacts, too
+    scalarField held(grains_.size(), Zero);
+    resolved_.addReceived(T, held);
+    sumOverRanks(held);
+    scalarField heat(deltaT*nodes_->fromFluid(T));
     sumOverRanks(heat);
+    const scalarField linked(deltaT*nodes_->throughNetwork());
 
-    received_ = sum(heat);
+    received_ = 0;
     outside_ = 0;
     scalarField TNew(grains_.size());
     forAll(TNew, i)
     {
-        scalar gained = heat[i];
-        if (grains_.isAtOpening(i))
-        {
-            gained *= grains_.volume(i)/grains_.mappedVolume()[i];
-            outside_ += gained - heat[i];
-        }
-        TNew[i] = grainT.temperature(i) + gained/grainT.heatCapacity(i);
+        const scalar whole = nodes_->whole(i);
+        heat[i] += held[i] - (nodes_->isInCells(i) ? linked[i]/whole : 0);
+        received_ += heat[i];
+        outside_ += (whole - 1)*heat[i];
+        TNew[i] =
+            grainT.temperature(i)
+          + (whole*heat[i] + linked[i])/grainT.heatCapacity(i);
     }
     grainT.setTemperatures(TNew);
-    grainT.conduct(deltaT);
+    const label nWalls = grainT.heatedWalls().size();
+    scalarList walls(nodes_->fromReservoirs(nWalls));
+    for (scalar& given : walls)
+    {
+        given *= deltaT;
+    }
+    grainT.setWallHeat(walls);
 
     if (others_)
     {

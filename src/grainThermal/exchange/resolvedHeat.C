@@ -243,6 +243,41 @@ void Foam::resolvedHeat::setFaces
 }
 
 
+Foam::scalarField Foam::resolvedHeat::before(const volScalarField& T) const
+{
+    if (conducts_)
+    {
+        return T.primitiveField();
+    }
+    const grainTemperatures& grainT = grains_.temperatures();
+    const scalarField& V = grains_.mesh().V();
+    scalarField mean(grains_.size(), Zero);
+    forParts
+    (
+        [&](const label celli, const label graini, const scalar volume)
+        {
+            mean[graini] += volume/lockedVolume_[graini]*T[celli];
+        }
+    );
+    sumOverRanks(mean);
+
+    scalarField result(V.size(), Zero);
+    forParts
+    (
+        [&](const label celli, const label graini, const scalar)
+        {
+            const scalar whole = grainT.temperature(graini);
+            const scalar difference = T[celli] - mean[graini];
+            result[celli] =
+                mag(mean[graini] - whole) <= 1e-12*whole
+              ? whole + difference
+              : whole;
+        }
+    );
+    return result;
+}
+
+
 void Foam::resolvedHeat::add
 (
     const volScalarField& T,
@@ -269,16 +304,14 @@ void Foam::resolvedHeat::add
     sumOverRanks(lockedVolume_);
     setFaces(kappa, cells.conductivity);
 
+    const scalarField old(before(T));
     forParts
     (
         [&](const label celli, const label graini, const scalar volume)
         {
             cells.add
             (
-                celli, volume/mesh.V()[celli]*capacity(graini)/deltaT,
-                conducts_
-              ? T[celli]
-              : grains_.temperatures().temperature(graini)
+                celli, volume/mesh.V()[celli]*capacity(graini)/deltaT, old[celli]
             );
         }
     );

@@ -29,21 +29,6 @@ Foam::unresolvedHeat::unresolvedHeat
 {}
 
 
-Foam::implicitTransfer<Foam::scalar> Foam::unresolvedHeat::transfer
-(
-    const scalar h,
-    const scalar deltaT,
-    const scalar capacity,
-    const scalar T
-)
-{
-    implicitTransfer<scalar> result(h, deltaT, capacity, T);
-    const scalar x = h*deltaT/capacity;
-    result.a = x > 0 ? -std::expm1(-x)/x : 1;
-    return result;
-}
-
-
 Foam::scalar Foam::unresolvedHeat::h
 (
     const label graini,
@@ -108,13 +93,11 @@ void Foam::unresolvedHeat::add
     const volScalarField& eps = exchange.epsAmongGrains();
     const resolvedTerm& resolved = exchange.resolved();
     const overlapList& overlaps = grains_.overlaps();
-    const scalar deltaT = grains_.mesh().time().deltaTValue();
     const scalarField& V = grains_.mesh().V();
 
     heatLaw::range used{1, 0};
     scalarField coefficient(V.size(), Zero);
-    scalarField given(V.size(), Zero);
-    transfer_.resize(overlaps.size());
+    conductance_ = scalarField(overlaps.size(), Zero);
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         if (overlaps.of(graini).empty() || resolved.isResolved(graini))
@@ -122,8 +105,6 @@ void Foam::unresolvedHeat::add
             continue;
         }
         const grainMotion::twist motion(grains_.motion().motion(graini));
-        const scalar T = grains_.temperatures().temperature(graini);
-        const scalar C = capacity(graini);
         const undisturbedFlow::correction own
         (
             exchange.unresolved().undisturbed().of(graini)
@@ -139,54 +120,20 @@ void Foam::unresolvedHeat::add
                 eps[o.cell]*fluid_.rho()[o.cell]*slip
                *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell]
             );
-            const implicitTransfer<scalar>& t = transfer_[o.index] =
-                transfer
+            conductance_[o.index] =
+                o.volume
+               *h
                 (
-                    h
-                    (
-                        graini,
-                        o,
-                        max(eps[o.cell], exchangeFields::epsMin),
-                        slip,
-                        own
-                    ),
-                    deltaT, C, T
+                    graini,
+                    o,
+                    max(eps[o.cell], exchangeFields::epsMin),
+                    slip,
+                    own
                 );
-            const scalar ha = o.volume/V[o.cell]*t.gamma*t.a;
-            coefficient[o.cell] += ha;
-            given[o.cell] += ha*T;
+            coefficient[o.cell] += conductance_[o.index]/V[o.cell];
         }
     }
     warn(used);
     grains_.voidFraction().smooth(coefficient);
-    grains_.voidFraction().smooth(given);
     cells.coefficient += coefficient;
-    cells.given += given;
-}
-
-
-void Foam::unresolvedHeat::addReceived
-(
-    const volScalarField& T,
-    const resolvedTerm& resolved,
-    scalarField& heat
-) const
-{
-    const overlapList& overlaps = grains_.overlaps();
-    const scalar deltaT = grains_.mesh().time().deltaTValue();
-    scalarField seen(T.primitiveField());
-    grains_.voidFraction().smooth(seen);
-
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
-    {
-        if (resolved.isResolved(graini))
-        {
-            continue;
-        }
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            heat[graini] +=
-                deltaT*o.volume*transfer_[o.index].given(seen[o.cell], 0);
-        }
-    }
 }

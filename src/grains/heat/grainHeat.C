@@ -232,6 +232,38 @@ std::vector<double> Foam::grainHeat<D>::capacities
 
 
 template<int D>
+nscd::HeatNetwork Foam::grainHeat<D>::network
+(
+    const nscd::Grains<D>& grains,
+    const std::vector<nscd::ContactForce<D>>& contacts
+) const
+{
+    nscd::HeatNetwork result(capacities(grains));
+    if (!conduction_)
+    {
+        return result;
+    }
+    const nscd::HeatNetwork joined
+    (
+        conduction_->network(grains, capacities(grains), contacts, thermalWalls_)
+    );
+    for (const nscd::HeatNetwork::Link& link : joined.links())
+    {
+        result.join(link.i, link.j, link.conductance);
+    }
+    for (const nscd::HeatNetwork::Outlet& outlet : joined.outlets())
+    {
+        result.joinReservoir
+        (
+            outlet.i, walls_.heated()[outlet.reservoir], outlet.conductance,
+            outlet.temperature
+        );
+    }
+    return result;
+}
+
+
+template<int D>
 std::vector<double> Foam::grainHeat<D>::advance
 (
     const nscd::Grains<D>& grains,
@@ -239,25 +271,14 @@ std::vector<double> Foam::grainHeat<D>::advance
     const scalar deltaT
 )
 {
-    if (!conduction_)
+    std::vector<double> temperature(grains.temperature);
+    if (conduction_)
     {
-        return grains.temperature;
+        std::vector<double> given(wallHeat_.size(), 0.0);
+        network(grains, contacts).advance(temperature, given, deltaT);
+        wallHeat_ = scalarList(given.begin(), given.end());
     }
-    nscd::Heated heated = conduction_->advance
-    (
-        grains, capacities(grains), contacts, thermalWalls_, deltaT
-    );
-
-    wallHeat_ = Zero;
-    forAll(walls_.heated(), i)
-    {
-        const label entry = walls_.heated()[i];
-        if (entry >= 0)
-        {
-            wallHeat_[entry] += heated.wallHeat[i];
-        }
-    }
-    return std::move(heated.temperature);
+    return temperature;
 }
 
 

@@ -4,7 +4,6 @@
 #include "nscd/heat/Conduction.hpp"
 
 #include "nscd/base/Check.hpp"
-#include "nscd/heat/HeatNetwork.hpp"
 
 #include <cmath>
 #include <limits>
@@ -108,6 +107,17 @@ Heated Conduction<D>::advance(const Grains<D>& grains, const std::vector<double>
     {
         refuse("conduction: time step ", dt, " s is not positive");
     }
+    const HeatNetwork joined(network(grains, heatCapacity, contacts, walls));
+    Heated heated{grains.temperature, std::vector<double>(walls.size(), 0.0)};
+    joined.advance(heated.temperature, heated.wallHeat, dt);
+    return heated;
+}
+
+template <int D>
+HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                                   const std::vector<ContactForce<D>>& contacts,
+                                   const std::vector<ThermalWall>& walls) const
+{
     if (heatCapacity.size() != grains.size())
     {
         refuse("conduction: ", grains.size(), " grains but ", heatCapacity.size(), " heat capacities");
@@ -157,9 +167,7 @@ Heated Conduction<D>::advance(const Grains<D>& grains, const std::vector<double>
             network.joinReservoir(contact.first, wall, h, *walls[wall].temperature);
         }
     }
-    Heated heated{grains.temperature, std::vector<double>(walls.size(), 0.0)};
-    network.advance(heated.temperature, heated.wallHeat, dt);
-    return heated;
+    return network;
 }
 
 template class Conduction<2>;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "nscd/dynamics/ContactDynamics.hpp"
+#include "nscd/heat/HeatNetwork.hpp"
 #include "nscd/heat/ThermalContact.hpp"
 
 #include <optional>
@@ -69,6 +70,10 @@ public:
     Heated advance(const Grains<D>& grains, const std::vector<double>& heatCapacity,
                    const std::vector<ContactForce<D>>& contacts, const std::vector<ThermalWall>& walls,
                    double dt) const;
+
+    /// What the contacts join; throws as 'advance'.
+    HeatNetwork network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                        const std::vector<ContactForce<D>>& contacts, const std::vector<ThermalWall>& walls) const;
 
 private:
     std::vector<ThermalMaterial> materials_;

@@ -28,19 +28,22 @@ public:
     /// gave [J].
     void advance(std::vector<double>& temperature, std::vector<double>& given, double dt) const;
 
-private:
     struct Link
     {
         int i, j;
-        double conductance;
+        double conductance;  ///< [W/K]
     };
 
     struct Outlet
     {
         int i, reservoir;
-        double conductance, temperature;
+        double conductance, temperature;  ///< [W/K, K]
     };
 
+    const std::vector<Link>& links() const { return links_; }
+    const std::vector<Outlet>& outlets() const { return outlets_; }
+
+private:
     std::vector<double> change(const std::vector<double>& temperature, double dt) const;
     std::vector<int> components() const;
 

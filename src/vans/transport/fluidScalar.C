@@ -5,6 +5,7 @@
 
 #include "fluidScalar.H"
 
+#include "cellsAndBodies.H"
 #include "dictionaryInput.H"
 #include "fvCFD.H"
 
@@ -141,7 +142,8 @@ void Foam::fluidScalar::carry
 (
     const transportFlux& flux,
     const surfaceScalarField& conductivity,
-    const cellExchange& exchange
+    const cellExchange& exchange,
+    bodyExchange* bodies
 )
 {
     const fvMesh& mesh = T_.mesh();
@@ -183,7 +185,18 @@ void Foam::fluidScalar::carry
 
     unaccounted_ = -gSum(oldVolume*T_.primitiveField());
     broughtIn_ = (1 - endShare_)*gSum(source*T_.primitiveField());
-    const solverPerformance done(TEqn.solve(mesh.solverDict(T_.name())));
+    const dictionary& controls = mesh.solverDict(T_.name());
+    const solverPerformance done
+    (
+        bodies
+      ? cellsAndBodies(TEqn, *bodies).solve(controls)
+      : TEqn.solve(controls)
+    );
+    scalarField fromBodies(T_.size(), Zero);
+    if (bodies)
+    {
+        bodies->addToCells(bodies->values(), fromBodies);
+    }
     if (!done.converged() && !(done.finalResidual() < 1e-6))
     {
         FatalErrorInFunction
@@ -202,7 +215,7 @@ void Foam::fluidScalar::carry
        *gSum
         (
             endShare_*leaving() + lost*T_.primitiveField()
-          + atBeginning - gained
+          + atBeginning - gained - fromBodies
         );
     addOutflow(F, conductivity, endShare_);
     broughtIn_ += endShare_*gSum(source*T_.primitiveField());

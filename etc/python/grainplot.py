@@ -250,3 +250,70 @@ def columns(case, at, field=None, grain_value="velocity", lines=True, height=4.0
     if discs is not None and grain_value:
         figure.colorbar(discs, ax=list(row[0]), label=f"grain {grain_value}", shrink=0.8)
     return figure
+
+
+def read_droplets(case):
+    """Columns of the droplets' books by name, all starts one after the other: see dropletLedger."""
+    folder = Path(case) / "postProcessing/droplets"
+    starts = sorted((p for p in folder.iterdir()), key=lambda path: float(path.name))
+    books = [
+        np.atleast_1d(np.genfromtxt(start / "droplets.csv", delimiter=",", names=True))
+        for start in starts
+    ]
+    return {name: np.concatenate([book[name] for book in books]) for name in books[0].dtype.names}
+
+
+def of_droplet(books, number):
+    """Rows of the books of one droplet."""
+    rows = books["droplet"] == number
+    return {name: values[rows] for name, values in books.items()}
+
+
+def draw_droplets(ax, books, time, **style):
+    """Droplets of the books at the time nearest to one, as discs; returns the collection."""
+    now = np.abs(books["time"] - float(time))
+    rows = np.flatnonzero(now < now.min() + 1e-9)
+    rows = rows if now.min() < 0.05 * max(float(time), 1e-3) else rows[:0]
+    discs = {
+        "radius": books["radius"][rows],
+        "position": np.column_stack([books["x"][rows], books["y"][rows]]),
+    }
+    style = {"facecolors": "tab:blue", "alpha": 0.5, "edgecolors": "none"} | style
+    return draw_grains(ax, discs, **style)
+
+
+def droplets(case, at, temperatures, n_columns=None, height=6.4):
+    """Figure with a picture for each time in `at`: vapour grey, grains by their temperature [C]
+    between two limits, droplets blue; `height` of a picture in inches."""
+    mesh = read_mesh(case)
+    books = read_droplets(case)
+    n_columns = n_columns or len(at)
+    width, tall = mesh.bounds[1] - mesh.bounds[0]
+    n_rows = -(-len(at) // n_columns)
+    figure, axes = plt.subplots(
+        n_rows,
+        n_columns,
+        squeeze=False,
+        sharex=True,
+        sharey=True,
+        layout="constrained",
+        figsize=(height * width / tall * n_columns + 1.2, (height + 0.4) * n_rows),
+    )
+    for ax in axes.ravel()[len(at) :]:
+        ax.set_axis_off()
+    for ax, time in zip(axes.ravel(), at, strict=False):
+        psi = read_field(case, time, "psi", len(mesh.polygons))
+        draw_cells(ax, mesh, psi, lines=False, cmap="Greys", clim=(0, 1.5))
+        grains = read_grains(case, time)
+        drawn = draw_grains(
+            ax,
+            grains,
+            grains["temperature"].ravel() - 273.15,
+            clim=temperatures,
+            cmap="inferno",
+            linewidths=0,
+        )
+        draw_droplets(ax, books, time)
+        ax.set_title(f"t = {time} s")
+    figure.colorbar(drawn, ax=axes, label="temperature of the grains [C]", shrink=0.6)
+    return figure

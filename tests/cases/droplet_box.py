@@ -62,34 +62,74 @@ def droplet_table(case):
     return case.table("postProcessing/droplets/0/droplets.csv")
 
 
-def annulus(case, core, outer, cells, rings):
+def annulus(case, core, outer, cells, rings, right="outer", grading=1.0):
     """A mesh of squares around the origin, of half width 'core' and 'cells' across, between
-    them and a circle of radius 'outer' 'rings' of cells; patch 'outer'."""
+    them and a circle of radius 'outer' 'rings' of cells, the outermost 'grading' times as thick;
+    patch 'outer', whose quarter towards +x may have a name of its own."""
     a, b, z = float(core), float(outer / np.sqrt(2)), DEPTH
     square = [(-a, -a), (a, -a), (a, a), (-a, a)]
     circle = [(-b, -b), (b, -b), (b, b), (-b, b)]
     plane = square + circle
     points = [f"({x!r} {y!r} {h!r})" for h in (0, z) for x, y in plane]
     blocks = [f"hex (0 1 2 3 8 9 10 11) ({cells} {cells} 1) simpleGrading (1 1 1)"]
-    arcs, faces = [], []
+    arcs, faces = [], {"outer": [], right: []}
     for i in range(4):
         j = (i + 1) % 4
         corners = (4 + i, 4 + j, j, i)
         both = " ".join(map(str, [*corners, *(k + 8 for k in corners)]))
-        blocks.append(f"hex ({both}) ({cells} {rings} 1) simpleGrading (1 1 1)")
+        blocks.append(f"hex ({both}) ({cells} {rings} 1) simpleGrading (1 {1 / grading} 1)")
         middle = outer * np.array([(0, -1), (1, 0), (0, 1), (-1, 0)][i])
         for h, plus in ((0, 0), (z, 8)):
             point = f"({float(middle[0])!r} {float(middle[1])!r} {h!r})"
             arcs.append(f"arc {4 + i + plus} {4 + j + plus} {point}")
-        faces.append(f"({4 + i} {4 + j} {12 + j} {12 + i})")
+        name = right if i == 1 else "outer"
+        faces[name].append(f"({4 + i} {4 + j} {12 + j} {12 + i})")
     (case.path / "system/blockMeshDict").write_text(
         HEADER.format(kind="dictionary", name="blockMeshDict")
         + f"scale 1; vertices ({' '.join(points)}); blocks ({' '.join(blocks)});\n"
         + f"edges ({' '.join(arcs)}); defaultPatch {{ name frontAndBack; type empty; }}\n"
-        + f"boundary (outer {{ type patch; faces ({' '.join(faces)}); }});\n"
+        + "boundary ("
+        + " ".join(f"{k} {{ type patch; faces ({' '.join(v)}); }}" for k, v in faces.items())
+        + ");\n"
     )
     replace(case, "constant/g", "-9.81", "0")
     replace(case, "constant/grainProperties", "(left right bottom top)", "(outer)")
+    case.run("blockMesh")
+
+
+def ring(case, inner, outer, around, rings, grading=1.0):
+    """A mesh fitted to a circle: between patch 'droplet' of radius 'inner' and 'outer', cells
+    'around' a quarter and 'rings' of them, the outermost 'grading' times as thick; the quarter
+    towards +x of the outer circle is patch 'right'."""
+    plane = []
+    for radius in (inner, outer):
+        b = float(radius / np.sqrt(2))
+        plane += [(-b, -b), (b, -b), (b, b), (-b, b)]
+    z = DEPTH
+    points = [f"({x!r} {y!r} {h!r})" for h in (0, z) for x, y in plane]
+    blocks, arcs, sides, drops = [], [], {"outer": [], "right": []}, []
+    for i in range(4):
+        j = (i + 1) % 4
+        corners = (i, 4 + i, 4 + j, j)
+        both = " ".join(map(str, [*corners, *(k + 8 for k in corners)]))
+        blocks.append(f"hex ({both}) ({rings} {around} 1) simpleGrading ({grading} 1 1)")
+        for first, radius in ((0, inner), (4, outer)):
+            middle = radius * np.array([(0, -1), (1, 0), (0, 1), (-1, 0)][i])
+            for h, plus in ((0, 0), (z, 8)):
+                point = f"({float(middle[0])!r} {float(middle[1])!r} {h!r})"
+                arcs.append(f"arc {first + i + plus} {first + j + plus} {point}")
+        sides["right" if i == 1 else "outer"].append(f"({4 + i} {4 + j} {12 + j} {12 + i})")
+        drops.append(f"({i} {8 + i} {8 + j} {j})")
+    (case.path / "system/blockMeshDict").write_text(
+        HEADER.format(kind="dictionary", name="blockMeshDict")
+        + f"scale 1; vertices ({' '.join(points)}); blocks ({' '.join(blocks)});\n"
+        + f"edges ({' '.join(arcs)}); defaultPatch {{ name frontAndBack; type empty; }}\n"
+        + f"boundary (outer {{ type patch; faces ({' '.join(sides['outer'])}); }}"
+        + f" right {{ type patch; faces ({' '.join(sides['right'])}); }}"
+        + f" droplet {{ type patch; faces ({' '.join(drops)}); }});\n"
+    )
+    replace(case, "constant/g", "-9.81", "0")
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(droplet)")
     case.run("blockMesh")
 
 

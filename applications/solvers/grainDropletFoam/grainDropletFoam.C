@@ -96,8 +96,11 @@ int main(int argc, char *argv[])
         }
 
         heatBooks.startStep(carried.flux());
+        term.update();
         boiling.startStep(heat.T());
+        droplets.lighten(boiling.lost());
         exchange.predict(fields.U);
+        term.blow(boiling.jets(), boiling.growth(), fields.U);
 
         flow.setVolumeSource(boiling.volumeSource());
         flow.startStep();
@@ -112,9 +115,10 @@ int main(int argc, char *argv[])
         term.forces(fields.U, flow.step().muf, force, torque);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         droplets.move(force, torque, runTime.deltaTValue());
-        const std::vector<bool> dried(droplets.evaporate(boiling.lost()));
+        const std::vector<bool> dried(droplets.shrink());
         droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
         exchange.setEps();
+        boiling.keepGrowth();
         exchange.discharge(fields.U, fields.phiU);
 
         carried.carry

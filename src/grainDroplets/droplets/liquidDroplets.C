@@ -56,7 +56,7 @@ Foam::liquidDroplets::liquidDroplets
         checkNew(0, "initialDroplets");
     }
     // Masses are their own from now on, not that of their material
-    evaporate(scalarField(size(), Zero));
+    lighten(scalarField(size(), Zero));
     setFilled(scalarField(mesh.nCells(), Zero));
 }
 
@@ -243,16 +243,37 @@ Foam::scalar Foam::liquidDroplets::leastMass() const
 }
 
 
-std::vector<bool> Foam::liquidDroplets::evaporate(const scalarField& lost)
+void Foam::liquidDroplets::lighten(const scalarField& lost)
+{
+    scalarField volume(size()), mass(size());
+    lost_ = lost;
+    forAll(volume, i)
+    {
+        volume[i] = system_.volume(i);
+        mass[i] = this->mass(i);
+        if (lost[i] < mass[i])
+        {
+            mass[i] -= lost[i];
+        }
+        else
+        {
+            lost_[i] = GREAT;
+        }
+    }
+    setVolumes(volume, mass);
+}
+
+
+std::vector<bool> Foam::liquidDroplets::shrink()
 {
     std::vector<bool> gone(size(), false);
     scalarField volume(size()), mass(size());
     forAll(volume, i)
     {
-        gone[i] = lost[i] >= this->mass(i);
-        const scalar loss = gone[i] ? 0 : lost[i];
-        mass[i] = this->mass(i) - loss;
-        volume[i] = system_.volume(i) - loss/liquid_.density;
+        gone[i] = lost_[i] >= GREAT;
+        mass[i] = this->mass(i);
+        volume[i] =
+            system_.volume(i) - (gone[i] ? 0 : lost_[i])/liquid_.density;
     }
     setVolumes(volume, mass);
     return gone;

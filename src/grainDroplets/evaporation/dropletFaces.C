@@ -5,6 +5,58 @@
 
 #include "dropletFaces.H"
 
+#include "combineOverRanks.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Change the areas such that each surface is closed: the sum of A n is zero
+void closeSurfaces(const dropletTerm& term, DynamicList<dropletFace>& faces)
+{
+    vectorField open(term.nDroplets(), Zero);
+    symmTensorField second(open.size(), Zero);
+    scalarField area(open.size(), Zero);
+    for (const dropletFace& f : faces)
+    {
+        const vector n(term.normal(f.cell, f.droplet));
+        open[f.droplet] += f.area*n;
+        second[f.droplet] += f.area*sqr(n);
+        area[f.droplet] += f.area;
+    }
+    sumOverRanks(open);
+    sumOverRanks(second);
+    sumOverRanks(area);
+
+    // Of a droplet of few faces, or across a mesh one cell thick, it has no inverse
+    constexpr scalar least = 1e-3;
+    vectorField tilt(open.size(), Zero);
+    forAll(tilt, i)
+    {
+        if (area[i] > 0)
+        {
+            symmTensor whole(second[i]/area[i]);
+            for (direction d = 0; d < vector::nComponents; ++d)
+            {
+                symmTensor& w = whole;
+                scalar& diagonal = d == 0 ? w.xx() : d == 1 ? w.yy() : w.zz();
+                diagonal = max(diagonal, least);
+            }
+            tilt[i] = -inv(whole) & (open[i]/area[i]);
+        }
+    }
+    for (dropletFace& f : faces)
+    {
+        f.area *= max
+        (
+            1 + (tilt[f.droplet] & term.normal(f.cell, f.droplet)), scalar(0.5)
+        );
+    }
+}
+
+}
+
 
 Foam::List<Foam::dropletFace> Foam::dropletFace::list
 (
@@ -30,6 +82,11 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
         term.conductance()*mesh.magSf()*mesh.nonOrthDeltaCoeffs()
     );
 
+    const auto surface = [&](const label cell, const label d, const vector& S)
+    {
+        return max(mag(S & term.normal(cell, d)), 0.1*mag(S));
+    };
+
     DynamicList<dropletFace> result;
     forAll(mesh.neighbour(), facei)
     {
@@ -37,10 +94,12 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
         if ((droplet[P] < 0) != (droplet[N] < 0))
         {
             const bool isOwner = droplet[P] < 0;
+            const label cell = isOwner ? P : N;
+            const label d = droplet[isOwner ? N : P];
             result.append
             ({
-                isOwner ? P : N, label(droplet[isOwner ? N : P]),
-                mesh.magSf()[facei], conductance[facei], conductivity[facei]
+                cell, d, surface(cell, d, mesh.Sf()[facei]),
+                conductance[facei], conductivity[facei]
             });
         }
     }
@@ -57,14 +116,17 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
         {
             if (own[i] < 0 && neighbour[i] >= 0)
             {
+                const label cell = d.patch().faceCells()[i];
                 result.append
                 ({
-                    d.patch().faceCells()[i], label(neighbour[i]),
-                    d.patch().magSf()[i], conductance.boundaryField()[patchi][i],
+                    cell, label(neighbour[i]),
+                    surface(cell, label(neighbour[i]), d.patch().Sf()[i]),
+                    conductance.boundaryField()[patchi][i],
                     conductivity.boundaryField()[patchi][i]
                 });
             }
         }
     }
+    closeSurfaces(term, result);
     return List<dropletFace>(std::move(result));
 }

@@ -37,6 +37,7 @@ Foam::evaporation::evaporation
     ),
     waitingFromFluid_(state("dropletHeatFromFluid")),
     waitingFromGrains_(state("dropletHeatFromGrains")),
+    growth_(state("dropletGrowth")),
     fromFluid_(droplets.size(), Zero),
     fromGrains_(droplets.size(), Zero),
     lost_(droplets.size(), Zero),
@@ -50,6 +51,7 @@ Foam::evaporation::evaporation
 {
     waitingFromFluid_.resize(droplets.size(), 0);
     waitingFromGrains_.resize(droplets.size(), 0);
+    growth_.resize(droplets.size(), 0);
     if (droplets.dict().found("saturation"))
     {
         saturated_.reset
@@ -209,11 +211,23 @@ void Foam::evaporation::remove(const std::vector<bool>& gone)
 {
     keepUnmarked(waitingFromFluid_, gone);
     keepUnmarked(waitingFromGrains_, gone);
+    keepUnmarked(growth_, gone);
     if (saturated_)
     {
         saturated_->remove(gone);
     }
     clearStep();
+}
+
+
+void Foam::evaporation::keepGrowth()
+{
+    forAll(growth_, i)
+    {
+        growth_[i] =
+            (droplets_.system().motion().radius(i) - radius_[i])
+           /mesh_.time().deltaTValue();
+    }
 }
 
 
@@ -243,6 +257,12 @@ void Foam::evaporation::follow(const List<liquidDroplets::fate>& fates)
     };
     gather(waitingFromFluid_);
     gather(waitingFromGrains_);
+    gather(growth_);
+    forAll(fates, i)
+    {
+        // Of those that merge, none is known
+        growth_[fates[i].now] *= fates[i].share < 1 ? 0 : 1;
+    }
     if (saturated_)
     {
         saturated_->follow(fates, droplets_.size());
@@ -339,10 +359,18 @@ void Foam::evaporation::startStep(const volScalarField& T)
     vapour_ = scalarField(mesh_.nCells(), Zero);
     vapourHeat_ = vapour_;
     vapourShare_ = vapour_;
+    jets_.resize(faces.size());
     forAll(faces, i)
     {
         const label d = faces[i].droplet;
-        addVapour(faces[i].cell, d, share[i]*lost_[d]/deltaT, carried[d]);
+        const scalar rate = share[i]*lost_[d]/deltaT;
+        addVapour(faces[i].cell, d, rate, carried[d]);
+        jets_[i] = {faces[i].cell, d, faces[i].area, rate};
+    }
+    radius_.resize(droplets_.size());
+    forAll(radius_, i)
+    {
+        radius_[i] = droplets_.system().motion().radius(i);
     }
     for (label i = 0; i < droplets_.size(); ++i)
     {

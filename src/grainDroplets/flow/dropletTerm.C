@@ -19,7 +19,8 @@ Foam::dropletTerm::dropletTerm
     droplets_(droplets),
     fluid_(fluid),
     bodies_(droplets.system(), fluid, liquidDroplets::fewest),
-    around_(fluid, droplets.properties())
+    around_(fluid, droplets.properties()),
+    thrust_(droplets)
 {}
 
 
@@ -46,6 +47,51 @@ void Foam::dropletTerm::update()
 {
     bodies_.update();
     around_.update(*this);
+}
+
+
+Foam::vector Foam::dropletTerm::normal
+(
+    const label celli,
+    const label droplet
+) const
+{
+    const grainSystem& system = droplets_.system();
+    vector arm
+    (
+        system.shortest
+        (
+            system.mesh().C()[celli] - system.centres()[droplet]
+        )
+    );
+    for (direction i = 0; i < vector::nComponents; ++i)
+    {
+        arm[i] = system.mesh().geometricD()[i] < 0 ? 0 : arm[i];
+    }
+    return arm/max(mag(arm), VSMALL);
+}
+
+
+Foam::vector Foam::dropletTerm::liquidVelocity(const label celli) const
+{
+    const grainSystem& system = droplets_.system();
+    const label i = dropletOf(celli);
+    return system.motion().motion(i).at
+    (
+        system.shortest(system.mesh().C()[celli] - system.centres()[i])
+    );
+}
+
+
+void Foam::dropletTerm::blow
+(
+    const List<vapourJet>& jets,
+    const scalarField& growth,
+    const volVectorField& U
+)
+{
+    thrust_.set(jets, growth, U, *this);
+    bodies_.blow(thrust_.speed());
 }
 
 

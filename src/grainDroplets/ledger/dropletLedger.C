@@ -9,10 +9,12 @@
 Foam::dropletLedger::dropletLedger
 (
     const liquidDroplets& droplets,
+    const dropletTerm& term,
     const evaporation& vapour
 )
 :
     droplets_(droplets),
+    term_(term),
     vapour_(vapour),
     progress_(droplets.system().mesh().time())
 {}
@@ -54,7 +56,7 @@ void Foam::dropletLedger::endStep(const vectorField& force)
         (
             "droplets", "droplets.csv",
             "time,droplet,x,y,z,vx,vy,vz,radius,temperature,liquid,inside,fromFluid,"
-            "fromGrains,vapour,diffused,fx,fy,fz,weight,volumeError"
+            "fromGrains,vapour,diffused,fx,fy,fz,tx,ty,tz,weight,volumeError"
         );
     }
     const char c = ',';
@@ -62,6 +64,7 @@ void Foam::dropletLedger::endStep(const vectorField& force)
     {
         const point x(motion.centre(i));
         const vector v(motion.velocity(i));
+        const vector thrust(term_.thrust(i));
         file_()
             << system.mesh().time().value() << c << motion.id(i)
             << c << x.x() << c << x.y() << c << x.z()
@@ -72,6 +75,7 @@ void Foam::dropletLedger::endStep(const vectorField& force)
             << c << vapour_.fromGrains()[i] << c << vapour_.lost()[i]
             << c << vapour_.diffused(i)
             << c << force[i].x() << c << force[i].y() << c << force[i].z()
+            << c << thrust.x() << c << thrust.y() << c << thrust.z()
             << c << droplets_.mass(i)*mag(motion.g()) << c << error[i] << nl;
     }
     file_() << flush;

@@ -83,6 +83,16 @@ void Foam::unresolvedTerm::addForce
             const scalar onGrains =
                 gradientOnGrains_ && !resolved.isLiquid(o.cell);
             const implicitTransfer<vector>& t = transfer_[o.index];
+            const vector accelerated
+            (
+                resolved.isLiquid(o.cell)
+              ? vector
+                (
+                    t.a*fluid_.rho()[o.cell]/deltaT
+                   *(U[o.cell] - resolved.liquidVelocity(o.cell))
+                )
+              : vector(Zero)
+            );
             const vector f
             (
                 o.volume
@@ -93,6 +103,7 @@ void Foam::unresolvedTerm::addForce
                         U[o.cell], onGrains*deltaT/rhop*gradP[o.cell]
                     )
                   + knownForce_[o.index]
+                  + accelerated
                 )
             );
             const vector fromCentre

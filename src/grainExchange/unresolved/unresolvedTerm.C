@@ -116,10 +116,17 @@ void Foam::unresolvedTerm::predict
             if (resolved.isLiquid(o.cell))
             {
                 // The body has the cell's volume, and its liquid the reaction to
-                // buoyancy
-                fields.beta[o.cell] += w*t.a*t.gamma;
+                // buoyancy and to its own acceleration (doc/theory, eq. 10.3)
+                const scalar accelerated = t.a*fluid_.rho()[o.cell]/deltaT;
+                fields.beta[o.cell] += w*(t.a*t.gamma + accelerated);
                 fields.b[o.cell] +=
-                    w*(t.a*t.gamma*t.free - e) - weight_.force(w, o.cell);
+                    w
+                   *(
+                        t.a*t.gamma*t.free
+                      + accelerated*resolved.liquidVelocity(o.cell)
+                      - e
+                    )
+                  - weight_.force(w, o.cell);
                 continue;
             }
             const scalar wa = w*t.a;

@@ -1,0 +1,118 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vapourThrust.H"
+
+#include "combineOverRanks.H"
+#include "dropletTerm.H"
+
+
+Foam::vapourThrust::vapourThrust(const liquidDroplets& droplets)
+:
+    droplets_(droplets),
+    speed_
+    (
+        IOobject
+        (
+            "blowingSpeed",
+            droplets.system().mesh().time().timeName(),
+            droplets.system().mesh()
+        ),
+        droplets.system().mesh(),
+        dimensionedScalar(dimVelocity, Zero)
+    )
+{}
+
+
+void Foam::vapourThrust::set
+(
+    const List<vapourJet>& jets,
+    const scalarField& growth,
+    const volVectorField& U,
+    const dropletTerm& term
+)
+{
+    const grainSystem& system = droplets_.system();
+    const scalarField& V = system.mesh().V();
+    force_ = vectorField(V.size(), Zero);
+    coefficient_ = scalarField(V.size(), Zero);
+    thrust_ = vectorField(droplets_.size(), Zero);
+
+    scalarField rate(V.size(), Zero), area(V.size(), Zero);
+    for (const vapourJet& jet : jets)
+    {
+        rate[jet.cell] += jet.rate;
+        area[jet.cell] += jet.area;
+    }
+    speed_ == dimensionedScalar(dimVelocity, Zero);
+    for (const vapourJet& jet : jets)
+    {
+        speed_[jet.cell] =
+            rate[jet.cell]
+           /(droplets_.properties().vapourDensity*area[jet.cell])
+          + growth[jet.droplet];
+    }
+    speed_.correctBoundaryConditions();
+
+    for (const vapourJet& jet : jets)
+    {
+        const grainMotion::twist motion(system.motion().motion(jet.droplet));
+        const vector n(term.normal(jet.cell, jet.droplet));
+        const vector relative
+        (
+            (motion.spin ^ (system.motion().radius(jet.droplet)*n))
+          + speed_[jet.cell]*n
+        );
+        force_[jet.cell] += jet.rate/V[jet.cell]*(motion.velocity + relative);
+        coefficient_[jet.cell] += jet.rate/V[jet.cell];
+        thrust_[jet.droplet] -= jet.rate*relative;
+    }
+    forAll(coefficient_, celli)
+    {
+        // Vapour that condenses takes the velocity of the surface along
+        if (coefficient_[celli] < 0)
+        {
+            force_[celli] -= coefficient_[celli]*U[celli];
+            coefficient_[celli] = 0;
+        }
+    }
+    pushDroplets(term);
+}
+
+
+void Foam::vapourThrust::pushDroplets(const dropletTerm& term)
+{
+    sumOverRanks(thrust_);
+    const scalarField& V = droplets_.system().mesh().V();
+    scalarField volume(droplets_.size(), Zero);
+    forAll(V, celli)
+    {
+        const label d = term.dropletOf(celli);
+        if (d >= 0)
+        {
+            volume[d] += V[celli];
+        }
+    }
+    sumOverRanks(volume);
+    forAll(V, celli)
+    {
+        const label d = term.dropletOf(celli);
+        if (d >= 0)
+        {
+            force_[celli] += thrust_[d]/volume[d];
+        }
+    }
+}
+
+
+void Foam::vapourThrust::addTo(fvVectorMatrix& UEqn) const
+{
+    if (force_.size())
+    {
+        const scalarField& V = UEqn.psi().mesh().V();
+        UEqn.diag() += V*coefficient_;
+        UEqn.source() += V*force_;
+    }
+}

@@ -21,6 +21,7 @@ Description
 
 #include "dictionaryInput.H"
 #include "dryLedger.H"
+#include "fluidInput.H"
 #include "incompleteTimes.H"
 #include "requireTimeStep.H"
 
@@ -72,6 +73,7 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
 
     requireFixedTimeStep(runTime);
+    refuseFiles(runTime, {"dynamicMeshDict"});
 
     #include "readGravitationalAcceleration.H"
     dictionaryInput::checkDimensions

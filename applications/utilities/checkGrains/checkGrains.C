@@ -112,6 +112,10 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     const nscd::Grains<D> grains(readGrains(properties));
 
     printWalls(properties.walls());
+    if (!properties.areFixed())
+    {
+        refuseMirrors(properties.dict(), mesh);
+    }
     printPassablePatches(properties.dict(), mesh);
     printPacking(properties, grains);
     grainChecks<D>(properties, grains).requireTolerance();

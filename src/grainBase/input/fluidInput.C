@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "fvMesh.H"
+#include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -50,6 +51,30 @@ void Foam::checkTransportProperties
 }
 
 
+void Foam::checkSolvers(const dictionary& fvSolution)
+{
+    const dictionary& all = dictionaryInput::subDict(fvSolution, "solvers");
+    for (const entry& e : all)
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        dictionaryInput::getLabelOrDefault(e.dict(), "maxIter", 1, 1);
+        const scalar relTol =
+            dictionaryInput::getScalarOrDefault(e.dict(), "relTol", dimless, 0, 0);
+        if (relTol >= 1)
+        {
+            dictionaryInput::badValue
+            (
+                e.dict(), "relTol", dictionaryInput::written(e.dict(), "relTol"),
+                "a value from 0 to less than 1, with which the equation is solved"
+            );
+        }
+    }
+}
+
+
 void Foam::checkPISO
 (
     const dictionary& fvSolution,
@@ -58,6 +83,7 @@ void Foam::checkPISO
 )
 {
     const dictionary& dict = dictionaryInput::subDict(fvSolution, name);
+    checkSolvers(fvSolution);
 
     wordList allowed
     ({
@@ -82,6 +108,31 @@ void Foam::checkFluidInput
     checkTransportProperties(transportProperties, others);
     checkPISO(mesh.solutionDict());
     refuseFiles(mesh.time(), {"MRFProperties"});
+}
+
+
+void Foam::requireDictionaries(const Time& runTime, const wordList& files)
+{
+    for (const word& dir : {runTime.constant(), runTime.system()})
+    {
+        for (const word& name : files)
+        {
+            const fileName file(runTime.globalPath()/dir/name);
+            if (isFile(file))
+            {
+                IOobject io(name, dir, runTime);
+                if (!io.typeHeaderOk<IOdictionary>(true, false))
+                {
+                    FatalErrorInFunction
+                        << "The file " << file << " is no dictionary of OpenFOAM:"
+                        << " its header cannot be read" << nl
+                        << "    allowed: a file that begins with FoamFile { ..."
+                        << " class dictionary; ... }, or a case without it"
+                        << exit(FatalError);
+                }
+            }
+        }
+    }
 }
 
 

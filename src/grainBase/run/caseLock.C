@@ -6,7 +6,6 @@
 #include "caseLock.H"
 
 #include "argList.H"
-#include "IStringStream.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 
@@ -15,6 +14,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <memory>
+#include <sstream>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -142,10 +142,21 @@ lock::lock(const fileName& file)
     const std::string before(owner());
     if (before.size())
     {
-        IStringStream is(before);
-        word key, host;
+        std::istringstream is(before);
+        std::string key, host, word;
         label process = 0;
-        is >> key >> host >> key >> process;
+        if
+        (
+            !(is >> key >> host >> word >> process)
+         || key != "host" || word != "process"
+        )
+        {
+            FatalErrorInFunction
+                << "The file " << file_ << ", which tells that a run is in the"
+                << " case, has '" << before.c_str() << "'" << nl
+                << "    allowed: host <name> process <number>; if no run is in"
+                << " the case, remove it" << exit(FatalError);
+        }
         if (host != hostName())
         {
             refuse(before, "on another host may be");

@@ -49,7 +49,7 @@ void Foam::setAsideIncompleteTimes(const argList& args)
 
     // What a live run is writing is incomplete, too
     lockCase(args);
-    refuseEmptyMeshFiles(args);
+    refuseDamagedMeshFiles(args);
 
     wordList incomplete;
     if (Pstream::master())

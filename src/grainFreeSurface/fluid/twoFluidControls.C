@@ -20,6 +20,10 @@ void Foam::checkTwoFluidControls(const fvMesh& mesh)
     dictionaryInput::getLabelOrDefault(dict, "nOuterCorrectors", 1, 1, 1);
 
     refuseFiles(mesh.time(), {"MRFProperties"});
+    requireDictionaries
+    (
+        mesh.time(), {"turbulenceProperties", "fvOptions", "dynamicMeshDict"}
+    );
     if (vansTurbulence::isSelected(mesh))
     {
         FatalErrorInFunction

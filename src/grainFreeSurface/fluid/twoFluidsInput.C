@@ -87,6 +87,21 @@ void checkFraction(const fvMesh& mesh, const word& name)
             << low << " to " << high << nl
             << "    allowed: a volume fraction, 0 to 1" << exit(FatalError);
     }
+    for (const fvPatchScalarField& patch : alpha.boundaryField())
+    {
+        if
+        (
+            patch.fixesValue() && patch.size()
+         && (min(patch) < -roundOff || max(patch) > 1 + roundOff)
+        )
+        {
+            FatalErrorInFunction
+                << "Field " << alpha.objectPath() << ", boundaryField "
+                << patch.patch().name() << ": values from " << min(patch)
+                << " to " << max(patch) << nl
+                << "    allowed: a volume fraction, 0 to 1" << exit(FatalError);
+        }
+    }
     checkContactAngles(alpha);
 }
 

@@ -17,7 +17,23 @@ Foam::surfaceTimeStep::surfaceTimeStep
 :
     fluid_(fluid),
     eps_(eps)
-{}
+{
+    entry("maxAlphaCo", 0.5);
+    entry("maxCapillaryCo", 1);
+}
+
+
+Foam::scalar Foam::surfaceTimeStep::entry
+(
+    const word& keyword,
+    const scalar deflt
+) const
+{
+    return dictionaryInput::getPositiveOrDefault
+    (
+        eps_.mesh().time().controlDict(), keyword, dimless, deflt
+    );
+}
 
 
 Foam::tmp<Foam::scalarField> Foam::surfaceTimeStep::isSurface() const
@@ -78,13 +94,6 @@ Foam::surfaceTimeStep::limits(const surfaceScalarField& phiU)
 {
     const Time& runTime = eps_.time();
     const dictionary& dict = runTime.controlDict();
-    const auto entry = [&](const word& keyword, const scalar deflt)
-    {
-        return dictionaryInput::getPositiveOrDefault
-        (
-            dict, keyword, dimless, deflt
-        );
-    };
     const scalar capillary = capillaryLimit();
     if
     (

@@ -6,6 +6,7 @@
 #include "planarMesh.H"
 
 #include "emptyPolyPatch.H"
+#include "meshPatches.H"
 #include "overlap/disc/DiscPolygon.hpp"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
@@ -13,6 +14,7 @@
 
 void Foam::planarMesh::setAxes()
 {
+    requireWholePatches(mesh_);
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (isA<wedgePolyPatch>(patch))

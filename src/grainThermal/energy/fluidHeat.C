@@ -28,13 +28,15 @@ void Foam::fluidHeat::checkPositive
     const scalarField& T
 ) const
 {
-    const scalar least = min(T);
-    if (!(least > 0))
+    const scalar least = min(T), most = max(T);
+    if (T.size() && !(least > 0 && most <= GREAT))
     {
         FatalErrorInFunction
             << "Keyword '" << keyword.c_str() << "' of the file "
-            << T_.field().objectPath() << " has the value " << least << nl
-            << "    allowed: values > 0 [K]" << exit(FatalError);
+            << T_.field().objectPath() << " has the value "
+            << (least > 0 ? most : least) << nl
+            << "    allowed: values > 0 [K] and at most " << GREAT
+            << exit(FatalError);
     }
 }
 

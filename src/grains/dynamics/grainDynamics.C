@@ -84,6 +84,10 @@ Foam::grainDynamics<D>::grainDynamics
         heat_.get(),
         std::set<label>(grains().material.begin(), grains().material.end())
     );
+    if (!isFixed())
+    {
+        refuseMirrors(properties_.dict(), mesh);
+    }
     printPassablePatches(properties_.dict(), mesh);
     injections_.startAfter(grains());
     if (restart)

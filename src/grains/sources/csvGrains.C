@@ -69,9 +69,9 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
     {
         centres.push_back(space.fromSpace(vectorOf("x", "y", "z", i)));
         radii.push_back(table.number("radius", i));
-        if (radii.back() <= 0)
+        if (radii.back() < 1e-100)
         {
-            table.badValue("radius", i, "a value > 0");
+            table.badValue("radius", i, "a value > 0, at least 1e-100");
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include "grainSpace.H"
 
+#include "meshPatches.H"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
 
@@ -12,6 +13,8 @@ Foam::grainSpace<3>::grainSpace(const fvMesh& mesh)
 :
     mesh_(mesh)
 {
+    requireWholePatches(mesh_);
+
     // What findCell needs and all ranks make together
     mesh_.tetBasePtIs();
 }

@@ -9,6 +9,8 @@
 #include "dictionaryInput.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
 #include "wallPieces.H"
 
 Foam::wordList Foam::passablePatches
@@ -46,6 +48,28 @@ Foam::wordList Foam::passablePatches
         }
     }
     return wordList(std::move(names));
+}
+
+
+void Foam::refuseMirrors
+(
+    const dictionary& grainProperties,
+    const polyMesh& mesh
+)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
+        {
+            FatalIOErrorInFunction(grainProperties)
+                << "Patch " << patch.name() << " of the mesh is of type '"
+                << patch.type() << "', in which grains that move have no mirror"
+                << nl
+                << "    allowed: a patch of type 'wall' with 'slip' for U, in"
+                << " 'walls' with a contact law without friction; or"
+                << " 'motion fixed' in 'coupling'" << exit(FatalIOError);
+        }
+    }
 }
 
 

@@ -61,13 +61,28 @@ Foam::labelList Foam::wallPieces::selectedPatches
         }
     }
 
-    // An expression can match what decomposePar adds
+    // An expression can match what decomposePar adds, and cyclic ones
     DynamicList<label> selected;
     for (const label patchi : patches.patchSet(names).sortedToc())
     {
-        if (!isA<processorPolyPatch>(patches[patchi]))
+        const polyPatch& patch = patches[patchi];
+        const bool isNamed = std::any_of
+        (
+            names.begin(), names.end(),
+            [&](const wordRe& name) { return name == patch.name(); }
+        );
+        if (!patch.coupled())
         {
             selected.append(patchi);
+        }
+        else if (isNamed && !isA<processorPolyPatch>(patch))
+        {
+            dictionaryInput::badValue
+            (
+                dict, "patches", patch.name(),
+                "patches that are not of type '" + patch.type()
+              + "', which grains pass"
+            );
         }
     }
 

@@ -59,6 +59,40 @@ string faultOfSTL(const fileName& file)
 }
 
 
+// Why an OBJ file is not whole, empty if it is
+string faultOfOBJ(const fileName& file)
+{
+    std::ifstream is(file);
+    std::string line;
+    label nPoints = 0, lineNo = 0;
+    while (std::getline(is, line))
+    {
+        ++lineNo;
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        nPoints += word == "v";
+        if (word != "f")
+        {
+            continue;
+        }
+        while (words >> word)
+        {
+            const label i = std::atoi(word.c_str());
+            if (i == 0 || i > nPoints || i < -nPoints)
+            {
+                OStringStream fault;
+                fault
+                    << "line " << lineNo << " has the corner " << word.c_str()
+                    << " of " << nPoints << " before it";
+                return fault.str();
+            }
+        }
+    }
+    return string::null;
+}
+
+
 void requireFinite
 (
     const triSurface& surface,
@@ -104,13 +138,18 @@ Foam::triSurface Foam::readWallSurface
         );
     };
 
+    string fault;
     if (file.hasExt("stl") || file.hasExt("STL"))
     {
-        const string fault(faultOfSTL(file));
-        if (fault.size())
-        {
-            refuse(fault);
-        }
+        fault = faultOfSTL(file);
+    }
+    else if (file.hasExt("obj"))
+    {
+        fault = faultOfOBJ(file);
+    }
+    if (fault.size())
+    {
+        refuse(fault);
     }
 
     // What is not a number is looked for and reported by name

@@ -65,6 +65,10 @@ int main(int argc, char *argv[])
 {
     argList::addNote("Dynamics of dry grains in contact.");
 
+    #define NO_CONTROL
+    #define CREATE_FIELDS createGrains.H
+    #include "postProcess.H"
+
     #include "setRootCaseLists.H"
 
     setAsideIncompleteTimes(args);

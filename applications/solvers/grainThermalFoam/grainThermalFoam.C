@@ -44,6 +44,10 @@ int main(int argc, char *argv[])
         "Incompressible flow and heat with immersed grains in contact."
     );
 
+    #define CREATE_MESH createDynamicFvMesh.H
+    #define CREATE_CONTROL createPiso.H
+    #include "postProcess.H"
+
     #include "setRootCaseLists.H"
 
     setAsideIncompleteTimes(args);
@@ -51,7 +55,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createDynamicFvMesh.H"
 
-    pisoControl piso(mesh);
+    #include "createPiso.H"
 
     #include "createFields.H"
 

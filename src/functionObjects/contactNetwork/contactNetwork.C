@@ -6,6 +6,7 @@
 #include "contactNetwork.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "contactsAreKnown.H"
 #include "functionKeywords.H"
 #include "grainView.H"
 #include "polyDataFile.H"
@@ -35,6 +36,11 @@ Foam::functionObjects::contactNetwork::contactNetwork
 
 bool Foam::functionObjects::contactNetwork::write()
 {
+    if (!contactsAreKnown(name()))
+    {
+        return true;
+    }
+
     const grainView& grains = grainView::of(mesh_, name());
     const std::vector<grainView::contact> contacts(grains.contacts());
     if (!Pstream::master())

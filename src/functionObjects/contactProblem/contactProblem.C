@@ -6,6 +6,7 @@
 #include "contactProblem.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "contactsAreKnown.H"
 #include "functionKeywords.H"
 #include "grainView.H"
 #include "OSspecific.H"
@@ -35,6 +36,11 @@ Foam::functionObjects::contactProblem::contactProblem
 
 bool Foam::functionObjects::contactProblem::write()
 {
+    if (!contactsAreKnown(name()))
+    {
+        return true;
+    }
+
     const fileName dir(time_.globalPath()/"postProcessing"/name());
     if (Pstream::master())
     {

@@ -9,7 +9,9 @@
 #include "dictionaryInput.H"
 #include "functionKeywords.H"
 #include "grainView.H"
-#include "OSspecific.H"
+#include "tableDirectory.H"
+
+#include <limits>
 
 namespace Foam
 {
@@ -79,12 +81,7 @@ Foam::OFstream& Foam::functionObjects::grainTracks::file()
 {
     if (!file_)
     {
-        const fileName dir
-        (
-            time_.globalPath()/"postProcessing"/name()
-           /Time::timeName(time_.startTime().value())
-        );
-        mkDir(dir);
+        const fileName dir(tableDirectory(time_, name()));
         file_.reset(new OFstream(dir/"grains.csv"));
         file_().precision(17);
         file_() << "time,id,x,y,z,vx,vy,vz,wx,wy,wz,fx,fy,fz" << nl;
@@ -116,7 +113,9 @@ bool Foam::functionObjects::grainTracks::write()
                 vector(grains.centre(i)),
                 grains.velocity(i),
                 grains.spin(i),
-                grains.fluidForce(i)
+                functionObject::postProcess
+              ? vector::uniform(std::numeric_limits<scalar>::quiet_NaN())
+              : grains.fluidForce(i)
             }
         )
         {

@@ -10,7 +10,7 @@
 #include "functionKeywords.H"
 #include "grainView.H"
 #include "gravityOf.H"
-#include "OSspecific.H"
+#include "tableDirectory.H"
 
 #include <limits>
 #include <numeric>
@@ -148,12 +148,7 @@ bool Foam::functionObjects::granularFront::write()
 
     if (!file_)
     {
-        const fileName dir
-        (
-            time_.globalPath()/"postProcessing"/name()
-           /Time::timeName(time_.startTime().value())
-        );
-        mkDir(dir);
+        const fileName dir(tableDirectory(time_, name()));
         file_.reset(new OFstream(dir/"front.csv"));
         file_().precision(12);
         file_() << "time,grains,network,size,level,speed,Froude" << nl;

@@ -10,7 +10,7 @@
 #include "functionKeywords.H"
 #include "gravityOf.H"
 #include "ListOps.H"
-#include "OSspecific.H"
+#include "tableDirectory.H"
 #include "volFields.H"
 
 #include <algorithm>
@@ -190,12 +190,7 @@ Foam::scalar Foam::functionObjects::liquidGauges::level
 
 void Foam::functionObjects::liquidGauges::openFiles()
 {
-    const fileName dir
-    (
-        time_.globalPath()/"postProcessing"/name()
-       /Time::timeName(time_.startTime().value())
-    );
-    mkDir(dir);
+    const fileName dir(tableDirectory(time_, name()));
     for (const word file : {"levels", "thicknesses", "runUp"})
     {
         files_.append(new OFstream(dir/file + ".csv"));

@@ -6,10 +6,11 @@
 #include "wallForces.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "contactsAreKnown.H"
 #include "dictionaryInput.H"
 #include "functionKeywords.H"
 #include "grainView.H"
-#include "OSspecific.H"
+#include "tableDirectory.H"
 
 namespace Foam
 {
@@ -82,12 +83,7 @@ void Foam::functionObjects::wallForces::findWalls(const wordList& all)
 
 void Foam::functionObjects::wallForces::openFiles()
 {
-    const fileName dir
-    (
-        time_.globalPath()/"postProcessing"/name()
-       /Time::timeName(time_.startTime().value())
-    );
-    mkDir(dir);
+    const fileName dir(tableDirectory(time_, name()));
     for (const word& wall : names_)
     {
         files_.append(new OFstream(dir/wall + ".csv"));
@@ -99,6 +95,11 @@ void Foam::functionObjects::wallForces::openFiles()
 
 bool Foam::functionObjects::wallForces::write()
 {
+    if (!contactsAreKnown(name()))
+    {
+        return true;
+    }
+
     const grainView& grains = grainView::of(mesh_, name());
     if (walls_.empty())
     {

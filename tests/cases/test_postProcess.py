@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The option -postProcess of the solvers: function objects at times on disk."""
+
+import numpy as np
+import pytest
+from droplet_box import BOILING, GAS, make_gas, open_top, with_droplets
+from dry_box import dry_box
+from grain_box import control, grain_box, lattice, replace
+from heat_box import with_heat
+from sphere_box import field
+from water_box import level, water_box
+
+LIBRARY = 'libs ("libgrainFunctionObjects.so"); writeControl writeTime;'
+WATCHED = f"""functions
+{{
+    fields {{ type grainFields; {LIBRARY} }}
+    loads {{ type wallForces; {LIBRARY} }}
+    net {{ type contactNetwork; {LIBRARY} }}
+"""
+
+
+def pile(clone):
+    centres = lattice(8, 4, 0.0101, (0.012, 0.00505))
+    case = dry_box(clone, centres, 0.005, dimension=2)
+    control(case, endTime=0.1, writeInterval=50, writeFormat="ascii")
+    replace(case, "system/controlDict", "functions\n{", WATCHED)
+    return case
+
+
+def test_dry_grains_are_as_in_the_run(clone):
+    """What is on disk is the same; forces of contacts, which are not, are not made up."""
+    case = pile(clone)
+    case.run("dryGrainFoam")
+    times = case.times[1:]
+    names = ("packing", "UGrains", "granularTemperature")
+    fields = {(t, name): field(case, name, t) for t in times for name in names}
+    for time, name in fields:
+        (case.path / time / name).unlink()
+    books = sorted((case.path / "postProcessing").rglob("*.*"))
+    before = {file: file.read_bytes() for file in [*books, case.path / times[-1] / "grains.h5"]}
+
+    case.run("dryGrainFoam -postProcess -time 0.01:")
+    for (time, name), values in fields.items():
+        np.testing.assert_allclose(field(case, name, time), values, rtol=1e-9, atol=1e-12)
+    tracks = case.table("postProcessing/tracks/postProcess/grains.csv")
+    run = case.table("postProcessing/tracks/0/grains.csv")
+    at = np.isin(run["time"], [float(time) for time in times])
+    for column in ("x", "y", "vx", "vy", "wz"):
+        np.testing.assert_allclose(tracks[column], run[column][at], rtol=1e-12, atol=1e-14)
+    assert np.isnan(tracks["fx"]).all()
+
+    for name in ("loads", "net"):
+        assert f"The function object '{name}' needs the forces of contacts" in case.log
+        assert not (case.path / "postProcessing" / name / "postProcess").exists()
+    assert {file: file.read_bytes() for file in before} == before
+
+
+def with_heat_and_droplet(clone):
+    case = with_heat(grain_box(clone, name="case"), T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    return with_droplets(case, [(0.05, 0.055)], 0.02)
+
+
+CENTRES = [(0.03, 0.03), (0.06, 0.05)]
+CASES = {
+    "grainFoam": lambda clone: grain_box(clone, CENTRES),
+    "grainThermalFoam": lambda clone: with_heat(grain_box(clone, CENTRES)),
+    "grainInterFoam": lambda clone: water_box(clone, level(0.05), CENTRES),
+    "grainDropletFoam": with_heat_and_droplet,
+}
+
+
+@pytest.mark.parametrize("solver", CASES)
+def test_every_solver_has_it(clone, solver):
+    """Its fields are there, too: the magnitude of U is that of U."""
+    case = CASES[solver](clone)
+    control(case, endTime=2e-4, deltaT=1e-4, writeInterval=1)
+    case.run(solver)
+    case.run(f"{solver} -postProcess -func mag(U) -latestTime")
+    assert "Warning" not in case.log and "End" in case.log
+    speed = np.linalg.norm(case.field("U"), axis=1)
+    np.testing.assert_allclose(case.field("mag(U)"), speed, rtol=1e-9, atol=1e-15)
+    assert not (case.path / "grains.lock").exists()

@@ -7,6 +7,37 @@
 
 #include "DynamicList.H"
 
+namespace
+{
+
+//- A point near by, so that a line that lies on faces passes cells on one of their
+//  sides, that of the middle of the mesh
+Foam::point offFaces
+(
+    const Foam::fvMesh& mesh,
+    const Foam::point& p,
+    const Foam::vector& direction
+)
+{
+    using namespace Foam;
+    const boundBox bounds(mesh.bounds());
+    vector across(bounds.centre() - p);
+    across -= (across & direction)*direction;
+    if (mag(across) < 1e-6*bounds.mag())
+    {
+        across = vector(1, 0.7, 0.4);
+        across -= (across & direction)*direction;
+    }
+    const scalar distance = 1e-6*std::cbrt(gMin(mesh.cellVolumes()));
+    const vector step(distance/mag(across)*across);
+    const vector aside(0.3*(direction ^ step));
+    const point q(p + step + aside);
+    return bounds.contains(q) ? q : p + step - aside;
+}
+
+}
+
+
 Foam::List<Foam::cellOnLine> Foam::cellOnLine::list
 (
     const fvMesh& mesh,
@@ -17,6 +48,8 @@ Foam::List<Foam::cellOnLine> Foam::cellOnLine::list
     const vectorField& S = mesh.faceAreas();
     const pointField& C = mesh.faceCentres();
 
+    const point q(offFaces(mesh, p, direction));
+
     DynamicList<cellOnLine> result;
     forAll(mesh.cells(), celli)
     {
@@ -26,7 +59,7 @@ Foam::List<Foam::cellOnLine> Foam::cellOnLine::list
             const bool isOwn = mesh.faceOwner()[facei] == celli;
             const vector n((isOwn ? S[facei] : -S[facei])/mag(S[facei]));
             const scalar slope = n & direction;
-            const scalar outside = n & (p - C[facei]);
+            const scalar outside = n & (q - C[facei]);
             if (slope > ROOTSMALL)
             {
                 end = min(end, -outside/slope);

@@ -143,21 +143,7 @@ Foam::functionObjects::liquidGauges::parts
         [](const part& a, const part& b) { return a.begin < b.begin; }
     );
 
-    // A line on faces is in the cells on both sides of them
-    DynamicList<part> result(found.size());
-    for (part p : found)
-    {
-        const scalar length = p.end - p.begin;
-        if (!result.empty())
-        {
-            p.begin = max(p.begin, result.last().end);
-        }
-        if (p.end - p.begin > 1e-6*length)
-        {
-            result.append(p);
-        }
-    }
-    return List<part>(std::move(result));
+    return List<part>(std::move(found));
 }
 
 

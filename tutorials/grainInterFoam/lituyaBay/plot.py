@@ -40,15 +40,18 @@ def run_up(case):
     """Highest level on the far shore, of water as thick as a cell and of any, nan where dry."""
     levels, thicknesses = series(case, "levels"), series(case, "thicknesses")
     shore = [name for name in levels if name.startswith("station")][1:]
-    level = np.array([levels[name] for name in shore])
-    thick = np.array([thicknesses[name] for name in shore]) >= cell_of(case)
+    # A table that is being written may be a line behind
+    n = min(len(levels["time"]), len(thicknesses["time"]))
+    level = np.array([levels[name][:n] for name in shore])
+    thick = np.array([thicknesses[name][:n] for name in shore]) >= cell_of(case)
     any_level = np.where(np.isnan(level), -np.inf, level)
 
     def highest(values):
         top = values.max(axis=0)
         return np.where(np.isfinite(top), top, np.nan)
 
-    return highest(np.where(thick, any_level, -np.inf)), highest(any_level)
+    thick_level = np.where(thick, any_level, -np.inf)
+    return levels["time"][:n], highest(thick_level), highest(any_level)
 
 
 def largest(times, values, first, last):
@@ -111,8 +114,7 @@ def main():
         name = case.name[len("bay_") :]
         sheet(name, case)
         gauges = series(case, "levels")
-        up, film = run_up(case)
-        t = gauges["time"]
+        t, up, film = run_up(case)
         speed, start = impact(case)
         highest, when = largest(t, up, 0, np.inf)
         # The water has to come back in between

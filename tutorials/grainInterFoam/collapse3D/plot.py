@@ -40,13 +40,15 @@ def seen(points):
 
 def draw(ax, case, time):
     for begin, end, height in ((0, PLATFORM, DEPTH), (PLATFORM, END, 0)):
-        corners = [(begin, height, 0), (end, height, 0), (end, height, THICK), (begin, height, THICK)]
+        sides = ((begin, 0), (end, 0), (end, THICK), (begin, THICK))
+        corners = [(x, height, z) for x, z in sides]
         ax.add_collection(PolyCollection([seen(corners)], facecolor="0.85", edgecolor="0.6"))
     grains = grainplot.read_grains(case, time)
     behind_first = np.argsort(grains["position"][:, 2])
-    at = {"position": seen(grains["position"][behind_first]), "radius": grains["radius"][behind_first]}
-    tint = plt.cm.copper(0.4 + 0.6 * grains["position"][behind_first, 2] / THICK)
-    grainplot.draw_grains(ax, at, facecolors=tint, linewidths=0)
+    x, radius = grains["position"][behind_first], grains["radius"][behind_first]
+    tint = plt.cm.copper(0.4 + 0.6 * x[:, 2] / THICK)
+    discs = {"position": seen(x), "radius": radius}
+    grainplot.draw_grains(ax, discs, facecolors=tint, linewidths=0)
     path = Path(case) / "postProcessing/surface" / time / "water.vtp"
     water = PolyCollection(seen(read_surface(path)), facecolor="tab:blue", alpha=0.3, linewidths=0)
     ax.add_collection(water)

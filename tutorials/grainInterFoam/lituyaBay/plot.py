@@ -13,16 +13,13 @@ G, DEPTH = 9.81, 122.0
 FAR, LEVEL_SHORE = 1342.0, 45.0  # the far edge of the water [m]; slope [degrees]
 # Observed trim line; largest amplitude at 885 m in the model of Fritz et al. 2001
 RUN_UP, GAUGE = 524.0, 152.0
+# What is thinner, upright, is a film, over the depth
+FILM = 1 / 8
 SHOWN = (2.5, 5, 10, 20, 30, 40, 50, 60)
 
 
 def scale_of(case):
     return float(re.search(r"(?m)^scale (\S+);", (case / "bay").read_text())[1])
-
-
-def cell_of(case):
-    """Height of a cell at the ground [m] of the bay."""
-    return 500 / float(re.search(r"(?m)^high (\S+);", (case / "bay").read_text())[1])
 
 
 def series(case, file):
@@ -37,13 +34,13 @@ def series(case, file):
 
 
 def run_up(case):
-    """Highest level on the far shore, of water as thick as a cell and of any, nan where dry."""
+    """Highest level on the far shore, of more than a film and of any water, nan where dry."""
     levels, thicknesses = series(case, "levels"), series(case, "thicknesses")
     shore = [name for name in levels if name.startswith("station")][1:]
     # A table that is being written may be a line behind
     n = min(len(levels["time"]), len(thicknesses["time"]))
     level = np.array([levels[name][:n] for name in shore])
-    thick = np.array([thicknesses[name][:n] for name in shore]) >= cell_of(case)
+    thick = np.array([thicknesses[name][:n] for name in shore]) >= FILM * DEPTH
     any_level = np.where(np.isnan(level), -np.inf, level)
 
     def highest(values):
@@ -87,7 +84,7 @@ def sheet(name, case):
     shown = shown or [len(at) - 1]
     rows = -(-len(shown) // 2)
     figure, axes = plt.subplots(
-        rows, 2, figsize=(14, 4 * rows), layout="constrained", squeeze=False
+        rows, 2, figsize=(14, 2.9 * rows), layout="constrained", squeeze=False
     )
     for ax, i in zip(axes.ravel(), shown, strict=False):
         alpha = grainplot.read_field(case, times[i], "alpha.water", len(mesh.polygons))

@@ -181,8 +181,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::offLevel
     const volScalarField& alpha
 ) const
 {
-    // Difference of shares from which all of the fluid changes places
-    constexpr scalar all = 0.1;
+    // Differences of shares from which fluid changes places, and all of it does:
+    // for less, what changes places would make them larger
+    constexpr scalar none = 0.2, all = 0.5;
 
     // Two cells of one fluid have no surface
     constexpr scalar same = 1e-9;
@@ -213,5 +214,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::offLevel
         }
     );
     miss.correctBoundaryConditions();
-    return min(localMax<scalar>(mesh_).interpolate(miss)/all, scalar(1));
+    return min
+    (
+        max
+        (
+            (localMax<scalar>(mesh_).interpolate(miss) - none)/(all - none),
+            scalar(0)
+        ),
+        scalar(1)
+    );
 }

@@ -129,7 +129,9 @@ void Foam::continuedFraction::start
     const volScalarField& locked
 )
 {
-    findCovered(eps, locked);
+    // Where grains locked cells when a run was stopped is known from what was kept
+    carried_.correctBoundaryConditions();
+    findCovered(eps, max(locked, pos0(carried_)));
     bool isKnown = true;
     for (const label celli : covered_)
     {
@@ -182,6 +184,7 @@ void Foam::continuedFraction::restore(volScalarField& alpha) const
 
 void Foam::continuedFraction::keep(const volScalarField& alpha)
 {
+    carried_ == dimensionedScalar("none", dimless, -1);
     for (const label celli : covered_)
     {
         carried_[celli] = alpha[celli];

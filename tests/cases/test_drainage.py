@@ -35,14 +35,15 @@ def column(clone):
         for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))
     )
     for patch in ("back", "front"):
-        rest = rest.replace(f"    {patch}\n    {{\n        type    wall", f"    {patch}\n    {{\n"
-                            "        type    patch")
+        begin = f"    {patch}\n    {{\n        type    "
+        rest = rest.replace(begin + "wall", begin + "patch")
     mesh.write_text(f"{head}vertices ({corners});{rest}")
     case.run("blockMesh")
     index = np.indices((N_SIDE, N_SIDE, N_HIGH)).reshape(3, -1).T
     rows = [",".join(map(repr, [*map(float, (i + 0.5) * PITCH), D / 2])) for i in index]
     (case.path / "constant/grains.csv").write_text("\n".join(["x,y,z,radius", *rows, ""]))
-    replace(case, GRAINS, "type    DallavalleDiFelice;\n        shape   sphere;", "type ErgunWenYu;")
+    law = "type    DallavalleDiFelice;\n        shape   sphere;"
+    replace(case, GRAINS, law, "type    ErgunWenYu;")
     replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion fixed;")
     replace(case, GRAINS, '(".*")', "(left right bottom top)")
     to_two_fluids(case)

@@ -34,6 +34,11 @@ def add(file, text):
     return spoil
 
 
+def near(text):
+    """Heat without contacts."""
+    return swap(GRAINS, "conductance none;", f"conductance none; {text}")
+
+
 def remove(file):
     return lambda case: (case.path / file).unlink()
 
@@ -128,6 +133,24 @@ TABLE = [
     ("insideWithoutConductivity",
      both(fix_grains, swap(GRAINS, "conductance none;", "conductance none; inside conducting;")),
      [GRAINS, "'inside'", "conducting", "conductivity [W/m/K]"]),
+    # Without contacts
+    ("unknownGapLaw", near("throughFluid { type spheres; conductivity 1; }"),
+     [GRAINS, "throughFluid", "'type'", "spheres", "cylinders", "rowOfSpheres"]),
+    ("gapWithoutConductivity", near("throughFluid { type cylinders; }"),
+     [GRAINS, "throughFluid", "'conductivity'", "missing", "> 0"]),
+    ("negativeLens", near("throughFluid { type cylinders; conductivity 1; lens -0.1; }"),
+     [GRAINS, "throughFluid", "'lens'", "value -0.1"]),
+    ("zeroGap", near("throughFluid { type cylinders; conductivity 1; leastGap 0; }"),
+     [GRAINS, "throughFluid", "'leastGap'", "value 0", "> 0"]),
+    ("noEmissivity", near("radiation { type cylinders; }"),
+     [GRAINS, "glass", "'emissivity'", "missing", "> 0"]),
+    ("emissivityAboveOne", both(near("radiation { type cylinders; }"),
+                                swap(GRAINS, "density 2500;", "density 2500; emissivity 1.1;")),
+     [GRAINS, "glass", "'emissivity'", "value 1.1", "at most 1"]),
+    ("rangeOfRadiation", near("radiation { type cylinders; range 9; }"),
+     [GRAINS, "radiation", "'range'", "value 9"]),
+    ("unknownEntryOfRadiation", near("radiation { type cylinders; reach 2; }"),
+     [GRAINS, "radiation", "'reach'", "range"]),
     # Laws
     ("noHeatTransfer", drop(GRAINS, LAW), [GRAINS, "coupling", "'heatTransfer'", "missing"]),
     ("noLaw", swap(GRAINS, "type RanzMarshall;", ""),

@@ -181,7 +181,11 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
     {
         dynamics_->setTemperature
         (
-            heat_->advance(grains(), dynamics_->contacts(), deltaT)
+            heat_->advance
+            (
+                grains(), dynamics_->contacts(), deltaT,
+                dynamics_->wallBodies(), dynamics_->settings().period
+            )
         );
     }
 }

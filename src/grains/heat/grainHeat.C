@@ -21,7 +21,10 @@ const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
 template<int D>
 nscd::ConductanceLaw law(const dictionary& dict)
 {
-    dictionaryInput::checkKeywords(dict, {"conductance", "inside"});
+    dictionaryInput::checkKeywords
+    (
+        dict, {"conductance", "inside", "radiation", "throughFluid"}
+    );
 
     namespace laws = nscd::conductance;
     const HashTable<nscd::ConductanceLaw> known
@@ -92,6 +95,7 @@ Foam::grainHeat<D>::grainHeat
     materials_(materials),
     walls_(walls),
     conduction_(newConduction(space.depth())),
+    near_(properties, space, materials, walls),
     conductInside_
     (
         dictionaryInput::getWordOrDefault
@@ -173,12 +177,12 @@ void Foam::grainHeat<D>::readWalls()
         nscd::ThermalWall wall{nscd::materialOf(walls_.walls()[i]), {}};
         if (walls_.heated()[i] >= 0)
         {
-            if (!conduction_)
+            if (!conductThroughContacts())
             {
                 dictionaryInput::badValue
                 (
                     properties_.subDict("heat"), "conductance", "none",
-                    "a conductance, as the wall '"
+                    "a conductance, 'throughFluid' or 'radiation', as the wall '"
                   + walls_.heatedNames()[walls_.heated()[i]]
                   + "' has a temperature"
                 );
@@ -193,6 +197,7 @@ void Foam::grainHeat<D>::readWalls()
 template<int D>
 void Foam::grainHeat<D>::check(const nscd::Grains<D>& grains) const
 {
+    near_.check(grains);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         if (heatCapacity_[grains.material[i]] <= 0)
@@ -235,30 +240,35 @@ template<int D>
 nscd::HeatNetwork Foam::grainHeat<D>::network
 (
     const nscd::Grains<D>& grains,
-    const std::vector<nscd::ContactForce<D>>& contacts
+    const std::vector<nscd::ContactForce<D>>& contacts,
+    const std::vector<nscd::WallBody<D>>& bodies,
+    const std::array<double, 3>& period
 ) const
 {
     nscd::HeatNetwork result(capacities(grains));
-    if (!conduction_)
+    if (conduction_)
     {
-        return result;
-    }
-    const nscd::HeatNetwork joined
-    (
-        conduction_->network(grains, capacities(grains), contacts, thermalWalls_)
-    );
-    for (const nscd::HeatNetwork::Link& link : joined.links())
-    {
-        result.join(link.i, link.j, link.conductance);
-    }
-    for (const nscd::HeatNetwork::Outlet& outlet : joined.outlets())
-    {
-        result.joinReservoir
+        const nscd::HeatNetwork joined
         (
-            outlet.i, walls_.heated()[outlet.reservoir], outlet.conductance,
-            outlet.temperature
+            conduction_->network
+            (
+                grains, capacities(grains), contacts, thermalWalls_
+            )
         );
+        for (const nscd::HeatNetwork::Link& link : joined.links())
+        {
+            result.join(link.i, link.j, link.conductance);
+        }
+        for (const nscd::HeatNetwork::Outlet& outlet : joined.outlets())
+        {
+            result.joinReservoir
+            (
+                outlet.i, walls_.heated()[outlet.reservoir],
+                outlet.conductance, outlet.temperature
+            );
+        }
     }
+    near_.join(result, grains, bodies, period);
     return result;
 }
 
@@ -268,14 +278,17 @@ std::vector<double> Foam::grainHeat<D>::advance
 (
     const nscd::Grains<D>& grains,
     const std::vector<nscd::ContactForce<D>>& contacts,
-    const scalar deltaT
+    const scalar deltaT,
+    const std::vector<nscd::WallBody<D>>& bodies,
+    const std::array<double, 3>& period
 )
 {
     std::vector<double> temperature(grains.temperature);
-    if (conduction_)
+    if (conductThroughContacts())
     {
         std::vector<double> given(wallHeat_.size(), 0.0);
-        network(grains, contacts).advance(temperature, given, deltaT);
+        network(grains, contacts, bodies, period)
+       .advance(temperature, given, deltaT);
         wallHeat_ = scalarList(given.begin(), given.end());
     }
     return temperature;

@@ -34,8 +34,8 @@ Foam::grainMaterials::grainMaterials(const dictionary& dict)
         (
             material,
             {
-                "density", "conductivity", "heatCapacity", "youngsModulus",
-                "poissonRatio"
+                "density", "conductivity", "emissivity", "heatCapacity",
+                "youngsModulus", "poissonRatio"
             }
         );
         density_[i] =

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nscd/heat/NearBodies.hpp"
+
+#include "nscd/search/Neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// In [0, period) along periodic axes.
+template <int D>
+Vectors<D> wrapped(Vectors<D> positions, const std::array<double, 3>& period)
+{
+    for (Vector<D>& x : positions)
+    {
+        for (int d = 0; d < D; ++d)
+        {
+            if (period[d] > 0)
+            {
+                x[d] -= period[d] * std::floor(x[d] / period[d]);
+            }
+        }
+    }
+    return positions;
+}
+
+template <int D>
+double distanceOfImages(Vector<D> way, const std::array<double, 3>& period)
+{
+    for (int d = 0; d < D; ++d)
+    {
+        if (period[d] > 0)
+        {
+            way[d] -= period[d] * std::round(way[d] / period[d]);
+        }
+    }
+    return way.norm();
+}
+
+}  // namespace
+
+template <int D>
+std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>& walls, double reach,
+                                   const std::array<double, 3>& period)
+{
+    std::vector<NearBodies> result;
+    if (grains.size() == 0)
+    {
+        return result;
+    }
+    const Vectors<D> x = wrapped<D>(grains.position, period);
+    const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
+    const Neighbours<D> neighbours(x, grains.radius, 2 * std::max(reach - 1, 0.0) * largest, period);
+    for (int i = 0; i < static_cast<int>(grains.size()); ++i)
+    {
+        neighbours.forNear(i, i,
+                           [&](int j)
+                           {
+                               const double distance = distanceOfImages<D>(x[j] - x[i], period);
+                               if (distance < reach * (grains.radius[i] + grains.radius[j]))
+                               {
+                                   result.push_back({i, j, distance});
+                               }
+                           });
+        const double farthest = 2 * reach * grains.radius[i];
+        walls.forNear(grains.position[i], farthest,
+                      [&](int wall)
+                      {
+                          const Vector<D> place = walls.image(wall, grains.position[i]);
+                          const auto approach = walls.approach(wall, place, grains.radius[i]);
+                          const double distance = approach ? approach->gap + grains.radius[i] : farthest;
+                          if (distance < farthest)
+                          {
+                              result.push_back({i, ~wall, distance});
+                          }
+                      });
+    }
+    return result;
+}
+
+template std::vector<NearBodies> nearBodies<2>(const Grains<2>&, const WallContact<2>&, double,
+                                               const std::array<double, 3>&);
+template std::vector<NearBodies> nearBodies<3>(const Grains<3>&, const WallContact<3>&, double,
+                                               const std::array<double, 3>&);
+
+}  // namespace nscd

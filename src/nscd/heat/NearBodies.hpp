@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The grainFoam authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "nscd/shape/Grains.hpp"
+#include "nscd/walls/WallContact.hpp"
+
+namespace nscd
+{
+
+/// Two grains near each other, first < second, or a grain and wall ~second.
+struct NearBodies
+{
+    int first, second;
+    double distance;   ///< between centres, or of the centre from the wall [m]
+};
+
+/// Grains whose centres are nearer than 'reach' times the sum of their radii, and walls nearer to a centre than 'reach'
+/// diameters of the grain.  A wall of several facets counts once where it is flat.  A function of the
+/// positions alone.  The box, where it is periodic, must be longer than twice the reach [m].
+template <int D>
+std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>& walls, double reach,
+                                   const std::array<double, 3>& period);
+
+}  // namespace nscd

@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Heat between grains that do not touch: through the fluid between them, and by radiation."""
+
+import numpy as np
+import pytest
+from dry_box import GRAINS
+from grain_box import control, grain_box, ledger, replace
+from heat_box import fix_grains, heat_ledger, with_heat
+from test_heat import CAPACITY, COLD, DEPTH, DIMENSIONS, HOT, RADIUS, heated_box, mass
+
+K, LENS, SIGMA, EMISSIVITY = 0.5, 0.2, 5.670374419e-8, 0.8
+GREY = 1 / (2 / EMISSIVITY - 1)
+SHAPE = {2: "cylinders", 3: "spheres"}
+STEP = 1e-3
+
+
+def box(clone, centres, dimension, near, temperatures=None):
+    """Grains at rest without weight above a hot floor."""
+    case = heated_box(clone, centres, dimension=dimension)
+    text = (case.path / GRAINS).read_text()
+    text = text.replace("conductivity", f"emissivity {EMISSIVITY}; conductivity")
+    (case.path / GRAINS).write_text(text)
+    replace(case, GRAINS, "heat {}", f"heat {{ conductance none; {near} }}")
+    path = case.path / "constant/g"
+    path.write_text(path.read_text().replace("-9.81", "0"))
+    if temperatures is not None:
+        file = case.path / "constant/grains.csv"
+        header, *lines = file.read_text().splitlines()
+        rows = [f"{line},{T}" for line, T in zip(lines, temperatures, strict=True)]
+        file.write_text("\n".join([f"{header},temperature", *rows, ""]))
+    control(case, writeInterval=50)
+    return case
+
+
+def through_fluid(dimension, distance, second=RADIUS):
+    """Conductance by a sum over the layer of fluid; of a wall 'second' is infinite."""
+    wall = np.isinf(second)
+    along = distance if wall else distance / 2 + ((1 + LENS) ** 2 - 1) * RADIUS**2 / 2 / distance
+    rim = np.sqrt(((1 + LENS) * RADIUS) ** 2 - along**2)
+    x = np.linspace(0, rim, 200001)
+    x = 0.5 * (x[1:] + x[:-1])
+    layer = distance - (1 if wall else 2) * np.sqrt(RADIUS**2 - x**2)
+    width = rim / 200000
+    area = 2 * np.pi * x if dimension == 3 else 2 * DEPTH
+    return K * np.sum(area * width / layer)
+
+
+def place(*heights):
+    return lambda dimension: [[*[0.05] * (dimension - 1), height] for height in heights]
+
+
+@DIMENSIONS
+def test_two_grains_conduct_through_the_fluid_between_them(clone, dimension):
+    distance = 2.05 * RADIUS
+    gas = f"throughFluid {{ type {SHAPE[dimension]}; conductivity {K}; }}"
+    centres = place(0.04, 0.04 + distance)(dimension)
+    case = box(clone, centres, dimension, gas, [HOT, COLD])
+    case.run("dryGrainFoam")
+    T = case.grains()["temperature"]
+    ratio = 2 * through_fluid(dimension, distance) * STEP / (CAPACITY * mass(dimension))
+    # Implicit Euler
+    assert (T[0] - T[1]) / (HOT - COLD) == pytest.approx((1 + ratio) ** -50.0, rel=1e-6)
+    assert T.sum() == pytest.approx(HOT + COLD, rel=1e-12)
+    assert T[1] > COLD + 1
+
+
+@DIMENSIONS
+def test_floor_warms_a_grain_through_the_fluid(clone, dimension):
+    height = 1.03 * RADIUS
+    gas = f"throughFluid {{ type {SHAPE[dimension]}; conductivity {K}; }}"
+    case = box(clone, place(height)(dimension), dimension, gas)
+    case.run("dryGrainFoam")
+    ratio = through_fluid(dimension, height, np.inf) * STEP / (CAPACITY * mass(dimension))
+    T = case.grains()["temperature"][0]
+    assert (HOT - T) / (HOT - COLD) == pytest.approx((1 + ratio) ** -50.0, rel=1e-6)
+    book = ledger(case)
+    gained = CAPACITY * mass(dimension) * (T - COLD)
+    assert book["heatFrom_floor"].sum() == pytest.approx(gained, rel=1e-9)
+    assert (book["heatError"] <= 1e-13).all()
+
+
+@DIMENSIONS
+def test_two_grains_radiate_to_each_other(clone, dimension):
+    distance = 2.4 * RADIUS
+    seen = 2 * np.pi * RADIUS**2 * (1 - np.sqrt(1 - (RADIUS / distance) ** 2))
+    if dimension == 2:
+        d = distance
+        string = np.sqrt(d**2 - 4 * RADIUS**2) + 2 * RADIUS * np.arcsin(2 * RADIUS / d)
+        seen = DEPTH * (string - d)
+    light = f"radiation {{ type {SHAPE[dimension]}; }}"
+    hot, cold = 2000.0, 300.0
+    centres = place(0.04, 0.04 + distance)(dimension)
+    case = box(clone, centres, dimension, light, [hot, cold])
+    case.run("dryGrainFoam")
+    capacity = CAPACITY * mass(dimension)
+    for _ in range(50):
+        h = SIGMA * seen * GREY * (hot**2 + cold**2) * (hot + cold)
+        mean, half = (hot + cold) / 2, (hot - cold) / 2 / (1 + 2 * h * STEP / capacity)
+        hot, cold = mean + half, mean - half
+    np.testing.assert_allclose(case.grains()["temperature"], [hot, cold], rtol=1e-9)
+    assert cold > 303
+
+
+def test_chain_is_in_equilibrium_with_the_floor(clone):
+    """Spheres that do not touch; steps so long that all are as warm as the only warm wall."""
+    heights = 1.05 * RADIUS + 2.04 * RADIUS * np.arange(9)
+    near = f"throughFluid {{ type spheres; conductivity {K}; }} radiation {{ type spheres; }}"
+    case = box(clone, [[0.05, 0.05, z] for z in heights], 3, near)
+    text = (case.path / GRAINS).read_text()
+    (case.path / GRAINS).write_text(text.replace(f"heatCapacity {CAPACITY};", "heatCapacity 1e-6;"))
+    case.run("dryGrainFoam")
+    np.testing.assert_allclose(case.grains()["temperature"], HOT, rtol=1e-9)
+
+
+def test_chain_between_walls_has_the_steady_state_of_its_resistances(clone):
+    heights = 1.05 * RADIUS + 2.04 * RADIUS * np.arange(9)
+    lid = float(heights[-1] + 1.05 * RADIUS)
+    near = f"throughFluid {{ type spheres; conductivity {K}; }}"
+    case = box(clone, [[0.05, 0.05, z] for z in heights], 3, near)
+    plane = f"type plane; point (0 0 {lid!r}); normal (0 0 -1); material steel; temperature {COLD};"
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    lid {{ {plane} }}\n")
+    text = (case.path / GRAINS).read_text()
+    (case.path / GRAINS).write_text(text.replace(f"heatCapacity {CAPACITY};", "heatCapacity 1e-6;"))
+    case.run("dryGrainFoam")
+    wall = 1 / through_fluid(3, 1.05 * RADIUS, np.inf)
+    pair = 1 / through_fluid(3, 2.04 * RADIUS)
+    share = (wall + pair * np.arange(9)) / (2 * wall + 8 * pair)
+    expected = HOT - (HOT - COLD) * share
+    np.testing.assert_allclose(case.grains()["temperature"], expected, rtol=1e-6)
+
+
+def test_fluid_and_near_grains_keep_their_heat(clone):
+    """Fixed grains of two temperatures in air, near each other and a wall; ranges and books."""
+    centres = [(0.02 + 0.0084 * i, 0.0042 + 0.0084 * j) for i in range(4) for j in range(4)]
+    case = grain_box(clone, centres, 0.004)
+    fix_grains(case)
+    near = "throughFluid { type rowOfSpheres; conductivity 0.6; } radiation { type cylinders; }"
+    material = "heatCapacity 800; emissivity 0.9;"
+    with_heat(case, 300, 400, heat=f"conductance none; {near}", ofGlass=material)
+    replace(case, GRAINS, "density 7800;", "density 7800; emissivity 0.9;")
+    replace(case, GRAINS, "        material    steel;", "        material steel; temperature 350;")
+    file = case.path / "constant/grains.csv"
+    header, *lines = file.read_text().splitlines()
+    rows = [f"{line},{300 + 100 * (i % 2)}" for i, line in enumerate(lines)]
+    file.write_text("\n".join([f"{header},temperature", *rows, ""]))
+    control(case, deltaT=10, endTime=1000, writeInterval=100)
+    case.run("grainThermalFoam")
+    book = heat_ledger(case)
+    assert book["fluidError"].max() <= 1e-12
+    assert book["grainError"].max() <= 1e-12
+    assert book["walls"].max() > 0
+    assert book["leastGrainT"].min() >= 300 - 1e-9
+    assert book["mostGrainT"].max() <= 400 + 1e-9
+    assert book["mostGrainT"][-1] - book["leastGrainT"][-1] < 50

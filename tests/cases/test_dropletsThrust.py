@@ -143,7 +143,9 @@ def test_heat_from_one_side_pushes_a_droplet(clone, cells, near):
     assert abs(book["ty"][-1]) < 0.03 * abs(exact)
 
 
-@pytest.mark.parametrize("offset, most", [((0, 0), 1e-9), ((0.3, 0.1), 5e-3)], ids=["centred", "off"])
+@pytest.mark.parametrize(
+    "offset, most", [((0, 0), 1e-9), ((0.3, 0.1), 5e-3)], ids=["centred", "off"]
+)
 def test_even_blowing_pushes_nothing(clone, offset, most):
     """Wherever the heat comes from."""
     case = beside_heat(clone, 8, offset, "blowing uniform;")

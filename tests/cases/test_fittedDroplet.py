@@ -10,7 +10,10 @@ from heat_box import with_heat, with_psi, write_T
 
 RADIUS, OUTER = 1e-3, 4e-3
 DIFFUSIVITY = 2e-5
-BLOWING = f"type dropletBlowing; latentHeat {LATENT}; vapourDensity {GAS_RHO}; value uniform (0 0 0);"
+BLOWING = (
+    f"type dropletBlowing; latentHeat {LATENT}; vapourDensity {GAS_RHO};"
+    " value uniform (0 0 0);"
+)
 VAPOUR = f"type dropletVapour; D {DIFFUSIVITY}; value uniform 1;"
 
 

@@ -17,7 +17,8 @@ CONDUCTIVITY = 0.026  # of the gas [W/m/K]
 
 def bed_temperature():
     """[C]"""
-    return float(re.search(r"bedTemperature\s+([\d.]+)", Path("parameters").read_text())[1]) - 273.15
+    text = Path("parameters").read_text()
+    return float(re.search(r"bedTemperature\s+([\d.]+)", text)[1]) - 273.15
 
 
 def curves(hot):

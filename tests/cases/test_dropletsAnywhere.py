@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Droplets across cyclic sides, on four ranks, after a kill, in moving frames, in space, and to
+the last drop."""
+
+import os
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from droplet_box import (
+    BOILING,
+    GAS,
+    GAS_CP,
+    LATENT,
+    droplet_table,
+    make_gas,
+    open_top,
+    with_droplets,
+)
+from grain_box import DEPTH, control, grain_box, make_cyclic, replace
+from heat_box import heat_ledger, with_heat
+from sphere_box import sphere_box
+
+
+def channel(clone, name, x, hot=BOILING + 500, cells=20):
+    """A droplet that falls through hot gas between cyclic sides, with hot grains inside."""
+    centres = [(x + 0.004, 0.055), (x - 0.004, 0.055)]
+    case = grain_box(clone, np.mod(centres, 0.1), 0.002, name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    make_cyclic(case, ("left", "right"))
+    case.run("blockMesh")
+    sides = '"left|right" { type cyclic; } "bottom|top" { type zeroGradient; }'
+    with_heat(case, T=hot, grains=hot, patches=sides, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    for field, wall in (("U", "noSlip"), ("p_rgh", "zeroGradient")):
+        old = f'"left|right|bottom"\n    {{\n        type    {wall};'
+        new = f'"left|right" {{ type cyclic; }} bottom {{ type {wall};'
+        replace(case, f"0/{field}", old, new)
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(bottom)")
+    with_droplets(case, [(x % 0.1, 0.055)], 0.02, velocity=[(0.2, 0)])
+    control(case, endTime=0.03, writeInterval=30)
+    return case
+
+
+def test_cyclic_sides_are_nowhere(clone):
+    """A droplet that crosses them is that which is half a box away from them."""
+    middle, across = channel(clone, "middle", 0.048), channel(clone, "across", 0.098)
+    for case in (middle, across):
+        case.run("grainDropletFoam")
+    one, other = droplet_table(middle), droplet_table(across)
+    assert one["vapour"].sum() > 0
+    for column in ("y", "vx", "vy", "radius", "liquid", "inside", "fromFluid"):
+        np.testing.assert_allclose(other[column], one[column], rtol=1e-7, err_msg=column)
+    way = np.mod(other["x"] - one["x"], 0.1)
+    np.testing.assert_allclose(way, 0.05, atol=1e-8)
+
+
+def test_four_ranks_agree_with_one(clone):
+    one, four = channel(clone, "one", 0.048), channel(clone, "four", 0.048)
+    one.run("grainDropletFoam")
+    (four.path / "system/decomposeParDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
+        "numberOfSubdomains 4; method simple; simpleCoeffs { n (2 2 1); delta 0.001; }\n"
+    )
+    four.run("decomposePar")
+    four.parallel("grainDropletFoam", 4)
+    a, b = droplet_table(one), droplet_table(four)
+    for column in ("y", "vx", "radius", "liquid", "fromFluid", "fy"):
+        np.testing.assert_allclose(b[column], a[column], rtol=1e-7, err_msg=column)
+
+
+def test_a_killed_run_continues(clone):
+    """kill -9 in mid-run: what is on disk is a time from which all is as without it."""
+    whole, killed = channel(clone, "whole", 0.048), channel(clone, "killed", 0.048)
+    for case in (whole, killed):
+        control(case, writeInterval=5)
+    whole.run("grainDropletFoam")
+    process = subprocess.Popen(
+        ["grainDropletFoam"],
+        cwd=killed.path,
+        env=os.environ | {"PWD": str(killed.path)},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    while not (killed.path / "0.01").exists() and process.poll() is None:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    assert killed.times[-1] != whole.times[-1]
+    killed.run("grainDropletFoam")
+    assert killed.times[-1] == whole.times[-1]
+    for name in ("U", "T", "p_rgh"):
+        np.testing.assert_array_equal(killed.field(name), whole.field(name))
+
+
+def drag(clone, name, gas, droplet, dt, cells=32):
+    """Force along x on a very heavy droplet that moves, as the gas does, in a cyclic box."""
+    case = grain_box(clone, name=name)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    make_cyclic(case, ("left", "right"), ("bottom", "top"))
+    case.run("blockMesh")
+    cyclic = '"left|right|bottom|top" { type cyclic; }'
+    with_heat(case, T=BOILING, grains=BOILING, patches=cyclic, fluid=GAS)
+    make_gas(case, 2e-3)
+    replace(case, "0/U", "noSlip", "cyclic")
+    replace(case, "0/p_rgh", "zeroGradient", "cyclic")
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform ({gas} 0 0)")
+    replace(case, "constant/g", "-9.81", "0")
+    text = (case.path / "constant/grainProperties").read_text()
+    before, after = text.split("walls\n{")
+    (case.path / "constant/grainProperties").write_text(
+        f"{before}walls\n{{}}\n\n{after[after.index('initialGrains') :]}"
+    )
+    with_droplets(case, [(0.051, 0.052)], 0.0125, velocity=[(droplet, 0)], density=5e3)
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+    control(case, endTime=50 * dt, deltaT=dt, writeInterval=1000)
+    case.run("grainDropletFoam")
+    return droplet_table(case)["fx"][10:]
+
+
+def test_drag_in_a_frame_that_moves(clone):
+    """Gas that passes a droplet, and a droplet that moves by a fifth of a cell in a step through
+    gas: the same force, which does not jump."""
+    dt, h = 1e-3, 0.1 / 32
+    speed = 0.2 * h / dt
+    passes = drag(clone, "passes", speed, 0, dt)
+    moves = drag(clone, "moves", 0, -speed, dt)
+    assert np.mean(moves) / np.mean(passes) == pytest.approx(1, abs=0.02)
+    assert np.abs(np.diff(moves) / moves[1:]).max() < 0.1
+
+
+def test_a_sphere_moves_and_evaporates(clone):
+    """Through hot gas, over cells that change sides; and its books."""
+    side, radius, density = 0.1, 0.018, 500
+    case = sphere_box(clone, n=14, side=side)
+    hot = BOILING + 500
+    with_heat(case, T=hot, grains=300, patches='".*" { type zeroGradient; }', fluid=GAS, empty="")
+    make_gas(case)
+    replace(case, "constant/g", "-9.81", "0")
+    top = "top { type pressureInletOutletVelocity; value uniform (0 0 0); }"
+    replace(case, "0/U", '".*"', f'{top} ".*"')
+    replace(case, "0/p_rgh", '".*"', 'top { type fixedValue; value uniform 0; } ".*"')
+    with_droplets(case, [(0.05, 0.05)], radius, density=density)
+    table = f"x,y,z,radius,vx,vy,vz\n0.04,0.05,0.052,{radius},0.7,0.2,0.1\n"
+    (case.path / "constant/droplets.csv").write_text(table)
+    control(case, endTime=0.03, writeInterval=30)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    assert book["x"][-1] - 0.04 > 0.015
+    mass = density * 4 / 3 * np.pi * radius**3
+    assert book["vapour"].sum() > 0
+    assert book["liquid"][-1] + book["vapour"].sum() == pytest.approx(mass, rel=1e-9)
+    assert book["volumeError"].max() < 1e-10
+    assert heat_ledger(case)["fluidError"].max() < 1e-8
+    T = case.field("T")
+    assert T.min() > BOILING - 1e-6 and T.max() < hot + 1e-6
+
+
+def test_release_merging_and_the_last_drop(clone):
+    """In one run, and nothing is lost: water, heat, range of T."""
+    density, hot = 12.0, BOILING + LATENT / GAS_CP
+    case = grain_box(clone)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(30 30 1)")
+    case.run("blockMesh")
+    with_heat(case, T=hot, grains=BOILING, fluid=f"Cp {GAS_CP}; kappa 10;")
+    make_gas(case, 1e-2)
+    open_top(case)
+    replace(case, "constant/g", "-9.81", "0")
+    release = 'releases { r { time 0.01; droplets { type csv; file "constant/late.csv"; } } }'
+    with_droplets(
+        case,
+        [(0.032, 0.05), (0.0482, 0.05)],
+        0.008,
+        velocity=[(2, 0), (0, 0)],
+        density=density,
+        entries=release,
+    )
+    (case.path / "constant/late.csv").write_text("x,y,z,radius\n0.07,0.03,0.005,0.008\n")
+    control(case, endTime=0.3, writeInterval=1000)
+    case.run("grainDropletFoam")
+    assert "touch and merge" in case.log
+    assert case.logged("Droplets  ")[-1] == 0
+    mass = 3 * density * np.pi * 0.008**2 * DEPTH
+    assert droplet_table(case)["vapour"].sum() == pytest.approx(mass, rel=1e-8)
+    heat = heat_ledger(case)
+    assert heat["fluidError"].max() < 1e-8
+    T = case.field("T")
+    assert T.min() > BOILING - 1e-6 and T.max() < hot + 1e-6

@@ -180,7 +180,7 @@ def test_release_merging_and_the_last_drop(clone):
         entries=release,
     )
     (case.path / "constant/late.csv").write_text("x,y,z,radius\n0.07,0.03,0.005,0.008\n")
-    control(case, endTime=0.3, writeInterval=1000)
+    control(case, endTime=0.5, writeInterval=1000)
     case.run("grainDropletFoam")
     assert "touch and merge" in case.log
     assert case.logged("Droplets  ")[-1] == 0

@@ -166,7 +166,9 @@ def test_release_merging_and_the_last_drop(clone):
     case = grain_box(clone)
     replace(case, "system/blockMeshDict", "(10 10 1)", "(30 30 1)")
     case.run("blockMesh")
-    with_heat(case, T=hot, grains=BOILING, fluid=f"Cp {GAS_CP}; kappa 10;")
+    sides = f'"left|right|bottom" {{ type fixedValue; value uniform {hot}; }}'
+    sides += " top { type zeroGradient; }"
+    with_heat(case, T=hot, grains=BOILING, patches=sides, fluid=f"Cp {GAS_CP}; kappa 10;")
     make_gas(case, 1e-2)
     open_top(case)
     replace(case, "constant/g", "-9.81", "0")
@@ -177,10 +179,10 @@ def test_release_merging_and_the_last_drop(clone):
         0.008,
         velocity=[(2, 0), (0, 0)],
         density=density,
-        entries=release,
+        entries=f'{release} walls {{ box {{ type patches; patches (".*t|bottom|top"); }} }}',
     )
     (case.path / "constant/late.csv").write_text("x,y,z,radius\n0.07,0.03,0.005,0.008\n")
-    control(case, endTime=0.5, writeInterval=1000)
+    control(case, endTime=0.4, writeInterval=1000)
     case.run("grainDropletFoam")
     assert "touch and merge" in case.log
     assert case.logged("Droplets  ")[-1] == 0

@@ -6,7 +6,16 @@ import re
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, ledger, replace, run_whole_and_parts
+from dry_box import dry_box
+from grain_box import (
+    assert_same_grains,
+    control,
+    grain_box,
+    lattice,
+    ledger,
+    replace,
+    run_whole_and_parts,
+)
 from test_restart import assert_same, track_lines
 
 RADIUS = 0.004
@@ -130,3 +139,39 @@ def test_ranks_take_the_same_steps(clone):
     many.parallel("grainFoam", 2)
     # What the linear solvers leave of the fluxes and the contact solver of the grains' speeds
     np.testing.assert_allclose(steps(many), steps(one), rtol=1e-5)
+
+
+def dry_pile(clone, name=None):
+    case = dry_box(clone, PILE, RADIUS, dimension=2, name=name)
+    adjusting(case, end=0.15, maxGrainDisplacement=0.02)
+    return case
+
+
+def test_dry_steps_keep_to_the_displacement_and_continue(clone):
+    whole, parts = dry_pile(clone, "a"), dry_pile(clone, "b")
+    run_whole_and_parts(whole, parts, "dryGrainFoam", stop=0.04, end=0.15)
+    # A time of writing is met to ten digits of a step, by which a restart may differ
+    assert whole.times[-1] == parts.times[-1]
+    np.testing.assert_allclose(steps(parts), steps(whole), rtol=1e-8)
+    for name in ("position", "velocity"):
+        np.testing.assert_allclose(parts.grains()[name], whole.grains()[name], atol=1e-9)
+    length, book = steps(whole), ledger(whole)
+    assert governing(whole).count("maxGrainDisplacement") >= 0.5 * len(length)
+    # No more than what the fall in the step adds; a fast step follows a slow one at once
+    assert np.all(book["maxVelocity"] * length <= 0.02 * D * (1 + 1e-9))
+    assert length.max() > 2 * length.min()
+    assert np.all(length[1:] <= 1.2 * length[:-1] * (1 + 1e-8))
+    assert whole.times[1:] == [f"{0.02 * n:.2g}" for n in range(1, 8)]
+    # A free fall of 0.08 m less the radius ends at the speed of gravity
+    fall = np.sqrt(2 * 9.81 * (0.08 - 3 * RADIUS))
+    assert book["maxVelocity"].max() == pytest.approx(fall, rel=0.05)
+
+
+@pytest.mark.parallel
+def test_dry_ranks_take_the_same_steps(clone):
+    one, many = dry_pile(clone, "one"), dry_pile(clone, "many")
+    one.run("dryGrainFoam")
+    many.run("decomposePar")
+    many.parallel("dryGrainFoam", 2)
+    np.testing.assert_array_equal(steps(many), steps(one))
+    assert_same_grains(one, many)

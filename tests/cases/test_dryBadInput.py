@@ -320,12 +320,25 @@ def test_grains_that_are_too_fast_are_reported(clone, speed, fragments):
     assert "printStack" not in case.log
 
 
-def test_steps_that_adjust_themselves_are_refused(clone):
+def test_limits_of_the_step_are_checked(clone):
     case = dry_box(clone, [(0.05, 0.05)], dimension=2)
-    case.dict_set("system/controlDict", "adjustTimeStep", "yes")
+    limit = "adjustTimeStep yes; maxGrainDisplacement 0;"
+    replace(case, "system/controlDict", "deltaT ", f"{limit}\ndeltaT ")
     assert case.run("dryGrainFoam", check=False, timeout=60) == 1
-    for fragment in ("system/controlDict", "'adjustTimeStep'", "no; the time step of this solver"):
+    for fragment in ("system/controlDict", "'maxGrainDisplacement'", "value 0", "> 0"):
         assert fragment in case.log
+
+
+def test_walls_that_swing_faster_than_steps_are_refused(clone):
+    """With steps of one period it would stand still."""
+    case = dry_box(clone, [(0.05, 0.05)], dimension=2)
+    swing = "type oscillation; direction (0 1 0); amplitude 1e-3; frequency"
+    motion(f"{swing} 1000;")(case)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in (GRAINS, "'frequency'", "value 1000", "at most 250 Hz", "steps of 0.001 s"):
+        assert fragment in case.log
+    replace(case, GRAINS, f"{swing} 1000;", f"{swing} 250;")
+    case.run("dryGrainFoam")
 
 
 def test_initial_grains_overlap_across_a_period(clone):

@@ -6,10 +6,12 @@ import os
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 from dry_box import dry_box
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
+from sphere_box import sphere_box
 from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
@@ -177,3 +179,34 @@ def test_documented_dictionaries_of_two_fluids_run(clone):
     assert "maxCapillaryCo" in case.log
     levels = case.table("postProcessing/gauges/0/levels.csv")
     assert levels["station0"][0] == pytest.approx(0.05, abs=1e-3)
+
+
+def test_treatment_of_the_grains_is_told(clone):
+    """Of 4.4, 1.4, 1 and 0.2 cells in a diameter."""
+    centres = [(0.05, 0.05, 0.03), (0.05, 0.02, 0.08), (0.08, 0.08, 0.08), (0.02, 0.02, 0.08)]
+    case = sphere_box(clone, centres, [0.022, 0.0072, 0.005, 0.001])
+    locked = "\ncoupling\n{ resolvedGrains { type locked; }"
+    replace(case, GRAINS, "\ncoupling\n{", locked)
+    control(case, endTime=0.002, deltaT=1e-3)
+    case.run("grainFoam")
+    said = (
+        "Treatment of the grains: 1 resolved, 2 by a law in the flow undisturbed by them,"
+        " 1 in that of their cells; 1 cover cells"
+    )
+    assert case.log.count(said) == 1
+
+
+def test_contact_law_for_pairs_that_have_none(clone):
+    """Discs roll on steel by the friction of the law that is for all pairs."""
+    case = dry_box(clone, [(0.02, 0.004), (0.08, 0.004)], dimension=2)
+    law = "    glassOnSteel\n    {\n        materials   (glass steel);"
+    replace(case, "constant/grainProperties", law, "    default\n    {")
+    replace(case, "constant/g", "(0 -9.81 0)", "(1 -9.81 0)")
+    case.run("dryGrainFoam")
+    # Two thirds of the acceleration along the floor; all of it without friction
+    speed = case.grains()["velocity"][:, 0]
+    np.testing.assert_allclose(speed, 2 / 3 * 0.05, rtol=0.01)
+
+    replace(case, "constant/grainProperties", "    default\n", "    defaults\n")
+    assert case.run("dryGrainFoam", check=False) == 1
+    assert "'materials'" in case.log

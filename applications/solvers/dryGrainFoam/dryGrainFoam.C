@@ -21,14 +21,15 @@ Description
 
 #include "dictionaryInput.H"
 #include "dryLedger.H"
+#include "dryTimeStep.H"
 #include "fluidInput.H"
 #include "incompleteTimes.H"
-#include "requireTimeStep.H"
 
 template<int D>
 void run(Time& runTime, const fvMesh& mesh, const vector& g)
 {
     grainDynamics<D> grains(mesh, g);
+    dryTimeStep timeStep(runTime, grains, g);
 
     // What goes wrong is looked for and reported by name
     const sigFpe::ignore ignoreFpe;
@@ -40,6 +41,7 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
     while (runTime.run())
     {
         grains.inject(nullptr);
+        timeStep.set();
         ++runTime;
 
         ledger.startStep();
@@ -76,7 +78,6 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
-    requireFixedTimeStep(runTime);
     refuseFiles(runTime, {"dynamicMeshDict"});
 
     #include "readGravitationalAcceleration.H"

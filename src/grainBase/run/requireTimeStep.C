@@ -19,19 +19,3 @@ void Foam::requireTimeStep(const Time& runTime)
         );
     }
 }
-
-
-void Foam::requireFixedTimeStep(const Time& runTime)
-{
-    requireTimeStep(runTime);
-
-    if (runTime.controlDict().getOrDefault("adjustTimeStep", false))
-    {
-        dictionaryInput::badValue
-        (
-            runTime.controlDict(), "adjustTimeStep", "yes",
-            "no; the time step of this solver is fixed, checkGrains recommends"
-            " one"
-        );
-    }
-}

@@ -151,6 +151,31 @@ void Foam::grainFluidExchange::findShares()
 }
 
 
+void Foam::grainFluidExchange::tellTreatment()
+{
+    if (hasTold_ || !grains_.size())
+    {
+        return;
+    }
+    hasTold_ = true;
+
+    label nResolved = 0, nUndisturbed = 0, nOfCells = 0, nCover = 0;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        const undisturbedFlow::correction c(unresolved_.undisturbed().of(i));
+        const bool isResolved = resolved_->isResolved(i);
+        nResolved += isResolved;
+        nUndisturbed += !isResolved && c.share > 0;
+        nOfCells += !isResolved && !(c.share > 0);
+        nCover += !isResolved && c.covers;
+    }
+    Info<< "Treatment of the grains: " << nResolved << " resolved, "
+        << nUndisturbed << " by a law in the flow undisturbed by them, "
+        << nOfCells << " in that of their cells; " << nCover
+        << " cover cells without being resolved" << endl;
+}
+
+
 void Foam::grainFluidExchange::predict(const volVectorField& cellU)
 {
     const stopwatch::lap lap(time_);
@@ -160,6 +185,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
 
     fields_.clear();
     unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
+    tellTreatment();
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());
     fields_.correctBoundaryConditions();

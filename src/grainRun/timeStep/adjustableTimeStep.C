@@ -125,33 +125,59 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
 {
     const grainMotion& motion = grains_.motion();
     const Pair<scalar> rho(weight_.rhoRange());
-    scalar smallest = GREAT;
-    for (label i = 0; i < grains_.size(); ++i)
-    {
-        smallest = min(smallest, motion.radius(i));
-    }
+    return displacementLimit
+    (
+        motion, fraction,
+        [&](const label i)
+        {
+            const buoyancy::ofGrain weight(weight_.of(i));
+            return max
+            (
+                mag(weight.acceleration(rho.first())),
+                mag(weight.acceleration(rho.second()))
+            );
+        }
+    );
+}
 
-    scalar limit = GREAT;
-    for (label i = 0; i < grains_.size(); ++i)
+
+Foam::scalar Foam::adjustableTimeStep::displacementLimit
+(
+    const grainView& grains,
+    const scalar fraction,
+    const std::function<scalar(label)>& acceleration
+)
+{
+    scalar smallest = GREAT;
+    for (label i = 0; i < grains.size(); ++i)
     {
-        const buoyancy::ofGrain weight(weight_.of(i));
-        const scalar a = max
+        smallest = min(smallest, grains.radius(i));
+    }
+    scalar limit = GREAT;
+    for (label i = 0; i < grains.size(); ++i)
+    {
+        limit = min
         (
-            mag(weight.acceleration(rho.first())),
-            mag(weight.acceleration(rho.second()))
+            limit,
+            timeToMove
+            (
+                fraction*2*smallest, mag(grains.velocity(i)), acceleration(i)
+            )
         );
-        const scalar v = mag(motion.motion(i).velocity);
-        limit = min(limit, timeToMove(fraction*2*smallest, v, a));
     }
     return limit;
 }
 
 
-Foam::scalar Foam::adjustableTimeStep::timeToWrite(const scalar deltaT) const
+Foam::scalar Foam::adjustableTimeStep::timeToWrite
+(
+    const Time& runTime,
+    const scalar deltaT
+)
 {
     const word control
     (
-        time_.controlDict().getOrDefault<word>("writeControl", "timeStep")
+        runTime.controlDict().getOrDefault<word>("writeControl", "timeStep")
     );
     if (control != "adjustable" && control != "adjustableRunTime")
     {
@@ -160,9 +186,9 @@ Foam::scalar Foam::adjustableTimeStep::timeToWrite(const scalar deltaT) const
 
     const scalar interval = dictionaryInput::getPositive
     (
-        time_.controlDict(), "writeInterval", dimTime
+        runTime.controlDict(), "writeInterval", dimTime
     );
-    const scalar elapsed = time_.value() - time_.startTime().value();
+    const scalar elapsed = runTime.value() - runTime.startTime().value();
     const scalar next =
         interval*(std::floor((elapsed + 1e-6*deltaT)/interval) + 1);
     return next - elapsed;
@@ -204,12 +230,6 @@ void Foam::adjustableTimeStep::set
         return;
     }
 
-    // To round-off the last step of the grains' state, which restarts know; grains
-    // that are fixed, and none, have no such state
-    const scalar ofGrains = grains_.motion().lastTimeStep();
-    const scalar before = ofGrains > 0 ? ofGrains : time_.deltaTValue();
-    const bool isFirst = !(ofGrains > 0) && time_.timeIndex() == 0;
-
     std::vector<namedLimit> all
     ({
         {"maxCo", given.maxCo/max(courantOfFluid(phiU), VSMALL)},
@@ -221,6 +241,20 @@ void Foam::adjustableTimeStep::set
         {"maxDeltaT", given.maxDeltaT}
     });
     all.insert(all.end(), more.begin(), more.end());
+    take(time_, grains_.motion().lastTimeStep(), all);
+}
+
+
+void Foam::adjustableTimeStep::take
+(
+    Time& runTime,
+    const scalar last,
+    const std::vector<namedLimit>& all
+)
+{
+    // Grains that are fixed, and none, have no last step
+    const scalar before = last > 0 ? last : runTime.deltaTValue();
+    const bool isFirst = !(last > 0) && runTime.timeIndex() == 0;
 
     Info<< nl << "Limits of deltaT:";
     const char* governing = "";
@@ -244,9 +278,9 @@ void Foam::adjustableTimeStep::set
         governing = isFirst ? "deltaT" : "growth";
     }
 
-    const scalar toWrite = timeToWrite(deltaT);
+    const scalar toWrite = timeToWrite(runTime, deltaT);
     deltaT = dividing(toWrite, deltaT);
-    time_.setDeltaT(deltaT, false);
+    runTime.setDeltaT(deltaT, false);
 
     Info<< " deltaT = " << deltaT << " s by " << governing;
     if (toWrite < GREAT)

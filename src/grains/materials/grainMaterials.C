@@ -57,6 +57,10 @@ void Foam::grainMaterials::readContactLaws()
     for (const word& name : laws.toc())
     {
         const dictionary& law = dictionaryInput::subDict(laws, name);
+        if (name == "default" && !law.found("materials"))
+        {
+            continue;
+        }
         const string allowed("a pair of " + dictionaryInput::listed(names_));
         const Pair<word> pair
         (
@@ -83,6 +87,24 @@ void Foam::grainMaterials::readContactLaws()
             );
         }
     }
+
+    if (laws.found("default") && !laws.subDict("default").found("materials"))
+    {
+        const nscd::ContactParameters others
+        (
+            contactLaw::New(laws.subDict("default"))->parameters()
+        );
+        forAll(names_, i)
+        {
+            for (label j = i; j < names_.size(); ++j)
+            {
+                if (withLaw_.insert(std::minmax(i, j)).second)
+                {
+                    table_.set(i, j, others);
+                }
+            }
+        }
+    }
 }
 
 
@@ -104,7 +126,8 @@ void Foam::grainMaterials::checkPair(const label a, const label b) const
             << "Keyword 'contactLaws' has no law for the materials "
             << names_[a] << " and " << names_[b] << nl
             << "    allowed: a sub-dictionary with 'materials ("
-            << names_[a] << ' ' << names_[b] << ");'"
+            << names_[a] << ' ' << names_[b] << ");', or one named 'default'"
+            << " without 'materials', for all pairs that have none"
             << exit(FatalIOError);
     }
 }

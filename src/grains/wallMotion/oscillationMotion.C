@@ -6,6 +6,7 @@
 #include "oscillationMotion.H"
 
 #include "dictionaryInput.H"
+#include "OStringStream.H"
 #include "readGeometry.H"
 
 addToSelection(wallMotion, wallMotions, oscillation)
@@ -26,7 +27,8 @@ Foam::wallMotions::oscillation<D>::oscillation
     start_
     (
         dictionaryInput::getScalarOrDefault(dict, "start", dimTime, 0, -GREAT)
-    )
+    ),
+    dict_(dict)
 {
     dictionaryInput::checkKeywords
     (
@@ -58,4 +60,31 @@ nscd::Vector<D> Foam::wallMotions::oscillation<D>::velocity
 ) const
 {
     return (displacement(t + deltaT) - displacement(t))/deltaT*direction_;
+}
+
+
+template<int D>
+void Foam::wallMotions::oscillation<D>::set
+(
+    nscd::ContactDynamics<D>& dynamics,
+    const label bodyi,
+    const scalar t,
+    const scalar deltaT,
+    const nscd::Vector<D>& g
+) const
+{
+    if (4*frequency_*deltaT > 1 + 1e-9)
+    {
+        OStringStream allowed;
+        allowed
+            << "at most " << 1/(4*deltaT) << " Hz with steps of " << deltaT
+            << " s, four in a period: the wall would move otherwise, or not at"
+            << " all";
+        dictionaryInput::badValue
+        (
+            dict_, "frequency", dictionaryInput::written(dict_, "frequency"),
+            allowed.str()
+        );
+    }
+    prescribed<D>::set(dynamics, bodyi, t, deltaT, g);
 }

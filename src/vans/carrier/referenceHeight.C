@@ -14,18 +14,24 @@ Foam::dimensionedScalar Foam::ghRef
     const dimensionedVector& g
 )
 {
-    const uniformDimensionedScalarField hRef
-    (
-        IOobject
+    // Conditions as prghPressure look it up
+    if (!mesh.foundObject<uniformDimensionedScalarField>("hRef"))
+    {
+        auto* registered = new uniformDimensionedScalarField
         (
-            "hRef",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        ),
-        dimensionedScalar("hRef", dimLength, Zero)
-    );
+            IOobject
+            (
+                "hRef",
+                mesh.time().constant(),
+                mesh,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE
+            ),
+            dimensionedScalar("hRef", dimLength, Zero)
+        );
+        registered->store();
+    }
+    const auto& hRef = mesh.lookupObject<uniformDimensionedScalarField>("hRef");
     return
         mag(g.value()) > SMALL
       ? g & (cmptMag(g.value())/mag(g.value()))*hRef

@@ -1,0 +1,50 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dryTimeStep.H"
+
+#include "adjustableTimeStep.H"
+#include "requireTimeStep.H"
+
+Foam::dryTimeStep::dryTimeStep
+(
+    Time& runTime,
+    const grainMotion& grains,
+    const vector& g
+)
+:
+    time_(runTime),
+    grains_(grains),
+    acceleration_(mag(g))
+{
+    requireTimeStep(runTime);
+    adjustableTimeStep::limits checked(runTime.controlDict());
+}
+
+
+void Foam::dryTimeStep::set()
+{
+    const adjustableTimeStep::limits given(time_.controlDict());
+    if (!given.adjusts)
+    {
+        return;
+    }
+    adjustableTimeStep::take
+    (
+        time_,
+        grains_.lastTimeStep(),
+        {
+            {
+                "maxGrainDisplacement",
+                adjustableTimeStep::displacementLimit
+                (
+                    grains_, given.maxGrainDisplacement,
+                    [&](const label) { return acceleration_; }
+                )
+            },
+            {"maxDeltaT", given.maxDeltaT}
+        }
+    );
+}

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""OpenFOAM's conditions that ask the solver for density, gravity or a reference height."""
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, open_ends, replace
+
+SPEED = 0.1
+GIVEN = f"type fixedValue; value uniform (0 {SPEED} 0);"
+OUTLETS = {
+    "totalPressure": "p0 uniform 0;",
+    "uniformTotalPressure": "p0 0;",
+    "prghPressure": "p uniform -981;",
+    "prghTotalPressure": "p0 uniform -976;",
+    "fixedMean": "meanValue 0;",
+}
+INLETS = {
+    "volume": f"volumetricFlowRate {SPEED * 1e-3};",
+    "mass": f"massFlowRate {SPEED * 1e-3 * 1000};",
+}
+
+
+def channel(clone):
+    case = grain_box(clone, [(0.05, 0.03)])
+    open_ends(case, SPEED)
+    case.run("blockMesh")
+    control(case, endTime=0.003, writeInterval=3)
+    return case
+
+
+def upwards(case):
+    """Flux through the top over that of the given speed."""
+    U = case.field("U")[:, 1].reshape(10, 10)
+    return U[-1].mean() / SPEED
+
+
+@pytest.mark.parametrize("kind", OUTLETS)
+def test_outlet(clone, kind):
+    case = channel(clone)
+    entries = f"type {kind}; {OUTLETS[kind]} value uniform 0;"
+    replace(case, "0/p_rgh", "top { type fixedValue; value uniform 0; }", f"top {{ {entries} }}")
+    case.run("grainFoam")
+    assert upwards(case) == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize("kind", INLETS)
+def test_inlet(clone, kind):
+    case = channel(clone)
+    entries = f"type flowRateInletVelocity; {INLETS[kind]} value uniform (0 0 0);"
+    replace(case, "0/U", GIVEN, entries)
+    case.run("grainFoam")
+    assert upwards(case) == pytest.approx(1, abs=0.01)
+
+
+def test_height_of_reference_is_read(clone):
+    """p and p_rgh are the same there."""
+    case = channel(clone)
+    replace(case, "constant/g", "(0 0 0)", "(0 -9.81 0)")
+    (case.path / "constant/hRef").write_text(
+        "FoamFile { version 2.0; format ascii;"
+        " class uniformDimensionedScalarField; object hRef; }\n"
+        "dimensions [0 1 0 0 0 0 0]; value 0.1;\n"
+    )
+    entries = "top { type prghPressure; p uniform 0; value uniform 0; }"
+    replace(case, "0/p_rgh", "top { type fixedValue; value uniform 0; }", entries)
+    case.run("grainFoam")
+    p_rgh, p = case.field("p_rgh"), case.field("p")
+    heights = np.repeat(np.arange(10) * 0.01 + 0.005, 10)
+    np.testing.assert_allclose(p - p_rgh, 9810 * (0.1 - heights), rtol=1e-6)

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Droplets across cyclic sides, on four ranks, after a kill, in moving frames, in space, and to
-the last drop."""
+"""Droplets across cyclic sides, after a kill, in moving frames, and to the last drop."""
 
 import os
 import signal
@@ -22,7 +21,6 @@ from droplet_box import (
 )
 from grain_box import DEPTH, control, grain_box, make_cyclic, replace
 from heat_box import heat_ledger, with_heat
-from sphere_box import sphere_box
 
 
 def channel(clone, name, x, hot=BOILING + 500, cells=20):
@@ -57,20 +55,6 @@ def test_cyclic_sides_are_nowhere(clone):
         np.testing.assert_allclose(other[column], one[column], rtol=1e-7, err_msg=column)
     way = np.mod(other["x"] - one["x"], 0.1)
     np.testing.assert_allclose(way, 0.05, atol=1e-8)
-
-
-def test_four_ranks_agree_with_one(clone):
-    one, four = channel(clone, "one", 0.048), channel(clone, "four", 0.048)
-    one.run("grainDropletFoam")
-    (four.path / "system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
-        "numberOfSubdomains 4; method simple; simpleCoeffs { n (2 2 1); delta 0.001; }\n"
-    )
-    four.run("decomposePar")
-    four.parallel("grainDropletFoam", 4)
-    a, b = droplet_table(one), droplet_table(four)
-    for column in ("y", "vx", "radius", "liquid", "fromFluid", "fy"):
-        np.testing.assert_allclose(b[column], a[column], rtol=1e-7, err_msg=column)
 
 
 def test_a_killed_run_continues(clone):
@@ -131,33 +115,6 @@ def test_drag_in_a_frame_that_moves(clone):
     moves = drag(clone, "moves", 0, -speed, dt)
     assert np.mean(moves) / np.mean(passes) == pytest.approx(1, abs=0.02)
     assert np.abs(np.diff(moves) / moves[1:]).max() < 0.1
-
-
-def test_a_sphere_moves_and_evaporates(clone):
-    """Through hot gas, over cells that change sides; and its books."""
-    side, radius, density = 0.1, 0.018, 500
-    case = sphere_box(clone, n=14, side=side)
-    hot = BOILING + 500
-    with_heat(case, T=hot, grains=300, patches='".*" { type zeroGradient; }', fluid=GAS, empty="")
-    make_gas(case)
-    replace(case, "constant/g", "-9.81", "0")
-    top = "top { type pressureInletOutletVelocity; value uniform (0 0 0); }"
-    replace(case, "0/U", '".*"', f'{top} ".*"')
-    replace(case, "0/p_rgh", '".*"', 'top { type fixedValue; value uniform 0; } ".*"')
-    with_droplets(case, [(0.05, 0.05)], radius, density=density)
-    table = f"x,y,z,radius,vx,vy,vz\n0.04,0.05,0.052,{radius},0.7,0.2,0.1\n"
-    (case.path / "constant/droplets.csv").write_text(table)
-    control(case, endTime=0.03, writeInterval=30)
-    case.run("grainDropletFoam")
-    book = droplet_table(case)
-    assert book["x"][-1] - 0.04 > 0.015
-    mass = density * 4 / 3 * np.pi * radius**3
-    assert book["vapour"].sum() > 0
-    assert book["liquid"][-1] + book["vapour"].sum() == pytest.approx(mass, rel=1e-9)
-    assert book["volumeError"].max() < 1e-10
-    assert heat_ledger(case)["fluidError"].max() < 1e-8
-    T = case.field("T")
-    assert T.min() > BOILING - 1e-6 and T.max() < hot + 1e-6
 
 
 def test_release_merging_and_the_last_drop(clone):

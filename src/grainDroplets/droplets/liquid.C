@@ -6,17 +6,15 @@
 #include "liquid.H"
 
 #include "dictionaryInput.H"
-
+#include "heatDimensions.H"
 
 namespace
 {
 
 using namespace Foam;
 
-// [m^2/s^2], [m^2/s^2/K], [kg m/s^3/K]
+// [J/kg]
 const dimensionSet dimLatentHeat(0, 2, -2, 0, 0);
-const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
-const dimensionSet dimConductivity(1, 1, -3, -1, 0);
 
 const dictionary& checkedLiquid(const dictionary& dict)
 {

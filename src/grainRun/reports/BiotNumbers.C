@@ -6,21 +6,12 @@
 #include "BiotNumbers.H"
 
 #include "dictionaryInput.H"
+#include "heatDimensions.H"
 #include "functionOfTemperature.H"
 #include "heatLaw.H"
 #include "recommendedTimeStep.H"
 
 #include <numeric>
-
-namespace
-{
-
-// [kg m/s^3/K], [m^2/s^2/K]
-const Foam::dimensionSet dimConductivity(1, 1, -3, -1, 0);
-const Foam::dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
-
-}
-
 
 template<int D>
 Foam::scalar Foam::meanTemperature(const nscd::Grains<D>& grains)

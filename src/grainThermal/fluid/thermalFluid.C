@@ -6,16 +6,12 @@
 #include "thermalFluid.H"
 
 #include "dictionaryInput.H"
+#include "heatDimensions.H"
 
 namespace
 {
 
 using namespace Foam;
-
-// [kg m/s^3/K], [m^2/s^2/K]
-const dimensionSet dimConductivity(1, 1, -3, -1, 0);
-const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
-
 
 dimensionedScalar expansion(const dictionary& dict)
 {

@@ -6,16 +6,13 @@
 #include "grainHeat.H"
 
 #include "dictionaryInput.H"
+#include "heatDimensions.H"
 #include "HashTable.H"
 
 namespace
 {
 
 using namespace Foam;
-
-// [kg m/s^3/K], [m^2/s^2/K], [kg/m/s^2]
-const dimensionSet dimConductivity(1, 1, -3, -1, 0);
-const dimensionSet dimHeatCapacity(0, 2, -2, -1, 0);
 
 //- Null for none
 template<int D>

@@ -6,6 +6,7 @@
 #include "nearHeat.H"
 
 #include "dictionaryInput.H"
+#include "heatDimensions.H"
 #include "HashTable.H"
 #include "mathematicalConstants.H"
 
@@ -13,10 +14,6 @@ namespace
 {
 
 using namespace Foam;
-
-// [kg m/s^3/K]
-const dimensionSet dimConductivity(1, 1, -3, -1, 0);
-
 
 //- Sub-dictionary of 'heat', or an empty one
 dictionary optional(const dictionary& properties, const word& name)

@@ -36,6 +36,17 @@ def test_patches_that_grains_can_pass_are_listed(clone):
     assert f"Patches (left) {note}" in case.log
 
 
+def test_masses_that_the_solver_cannot_cope_with_are_reported(clone):
+    """Radii of 6 and 0.05 mm: discs of 1.4e4 times the mass."""
+    case = dry_box(clone, [(0.05, 0.05), (0.08, 0.08)], radius=[6e-3, 5e-5], dimension=2)
+    case.run("checkGrains")
+    assert "Warning: masses" not in case.log
+    replace(case, GRAINS, "contact\n{", "contact\n{\n    solver queue;")
+    case.run("checkGrains")
+    warning = "Warning: masses of grains and free walls differ by a factor of 14400"
+    assert case.log.count(warning) == 1
+
+
 def test_courant_numbers_above_1_are_reported_once(clone):
     case = grain_box(clone, [(0.05, 0.07)], velocity=[(0, -3)])
     control(case, endTime=0.01, deltaT=1e-3)

@@ -183,7 +183,7 @@ TEST(FluidInput, RefusesAFluidThatStandsStill)
 {
     const auto check = [](const std::string& text, const wordList& others = wordList())
     {
-        checkPISO(foamTest::dict(text), others);
+        checkPISO(foamTest::dict("solvers { p { relTol 0.1; } } " + text), others);
     };
     EXPECT_NO_THROW(check("PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; }"));
     EXPECT_NO_THROW(check("PISO {}"));
@@ -194,6 +194,14 @@ TEST(FluidInput, RefusesAFluidThatStandsStill)
     EXPECT_FOAM_ERROR(check("PISO { nCorrector 2; }"), "Unknown keyword 'nCorrector'");
     EXPECT_FOAM_ERROR(check("PISO { nOuterCorrectors 3; }"), "'nOuterCorrectors'");
     EXPECT_FOAM_ERROR(check("PIS0 { nCorrectors 2; }"), "'PISO' is missing");
+
+    const auto solvers = [](const std::string& text)
+    {
+        checkPISO(foamTest::dict(text + " PISO {}"));
+    };
+    EXPECT_FOAM_ERROR(solvers("solvers { p { relTol 1; } }"), "'relTol' has the value 1");
+    EXPECT_FOAM_ERROR(solvers("solvers { p { maxIter 0; } }"), "'maxIter' has the value 0");
+    EXPECT_FOAM_ERROR(solvers(""), "'solvers' is missing");
 }
 
 

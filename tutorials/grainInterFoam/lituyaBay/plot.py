@@ -25,8 +25,13 @@ def scale_of(case):
 def series(case, file):
     """Columns, in metres and seconds of the bay, from the start of the run."""
     scale = scale_of(case)
-    (path,) = case.glob(f"postProcessing/gauges/*/{file}.csv")
-    table = np.genfromtxt(path, delimiter=",", names=True)
+    # All starts of the run one after the other
+    paths = sorted(
+        case.glob(f"postProcessing/gauges/*/{file}.csv"), key=lambda path: float(path.parent.name)
+    )
+    table = np.concatenate(
+        [np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True)) for path in paths]
+    )
     return {
         name: np.atleast_1d(table[name]) / (scale**0.5 if name == "time" else scale)
         for name in table.dtype.names

@@ -12,6 +12,7 @@
 #include "gravityOf.H"
 #include "tableDirectory.H"
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -127,22 +128,23 @@ bool Foam::functionObjects::granularFront::write()
     }
     const label largest = number.empty() ? -1 : findMax(number);
 
+    // fmax passes over nan
     scalar any = noFront, network = noFront, atLevel = noFront;
     forAll(group, i)
     {
         const vector x(grains.centre(i) - origin_);
         const scalar place = (x & direction_) + grains.radius(i);
-        any = place > any || std::isnan(any) ? place : any;
+        any = std::fmax(any, place);
         if (group[i] == largest && number[largest] > 1)
         {
-            network = place > network || std::isnan(network) ? place : network;
+            network = std::fmax(network, place);
         }
         const scalar off = mag((x & up) - level_);
         if (hasLevel_ && off < grains.radius(i))
         {
             const scalar there =
                 (x & direction_) + std::sqrt(sqr(grains.radius(i)) - sqr(off));
-            atLevel = there > atLevel || std::isnan(atLevel) ? there : atLevel;
+            atLevel = std::fmax(atLevel, there);
         }
     }
 

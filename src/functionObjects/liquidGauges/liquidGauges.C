@@ -14,6 +14,7 @@
 #include "volFields.H"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Foam
@@ -220,10 +221,11 @@ bool Foam::functionObjects::liquidGauges::write()
         {
             thicknesses[i] += p.liquid*(p.end - p.begin);
         }
-        film = levels[i] > film || std::isnan(film) ? levels[i] : film;
+        // It passes over nan
+        film = std::fmax(film, levels[i]);
         if (thicknesses[i] >= thickness_)
         {
-            runUp = levels[i] > runUp || std::isnan(runUp) ? levels[i] : runUp;
+            runUp = std::fmax(runUp, levels[i]);
         }
     }
     if (!Pstream::master())

@@ -48,8 +48,27 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     checkFunctionKeywords(dict, {"alpha", "fluidFraction", "result"});
 
-    alphaName_ = dict.getOrDefault<word>("alpha", none);
-    resultName_ = dict.getOrDefault<word>("result", "refinement");
+    const string aField("the name of a field of the solver, as alpha.water");
+    alphaName_ =
+        dict.found("alpha")
+      ? dictionaryInput::getAs<word>(dict, "alpha", aField)
+      : none;
+    if (alphaName_ != none && !mesh_.foundObject<volScalarField>(alphaName_))
+    {
+        dictionaryInput::badValue(dict, "alpha", alphaName_, aField);
+    }
+
+    const string aName("a name that no field has");
+    result_.clear();
+    resultName_ =
+        dict.found("result")
+      ? dictionaryInput::getAs<word>(dict, "result", aName)
+      : word("refinement");
+    if (mesh_.foundObject<regIOobject>(resultName_))
+    {
+        dictionaryInput::badValue(dict, "result", resultName_, aName);
+    }
+
     fluidFraction_ = dictionaryInput::getScalarOrDefault
     (
         dict, "fluidFraction", dimless, 0.999, 0, 1
@@ -76,25 +95,6 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
 }
 
 
-const Foam::volScalarField& Foam::functionObjects::refinementIndicator::field
-(
-    const char* keyword,
-    const word& fieldName
-) const
-{
-    const auto* found = mesh_.cfindObject<volScalarField>(fieldName);
-    if (!found)
-    {
-        FatalErrorInFunction
-            << "Keyword '" << keyword << "' of the function object '" << name()
-            << "' has the value " << fieldName << nl
-            << "    allowed: the name of a field of the solver, as alpha.water"
-            << exit(FatalError);
-    }
-    return *found;
-}
-
-
 void Foam::functionObjects::refinementIndicator::update()
 {
     scalarField& values = result_->primitiveFieldRef();
@@ -105,7 +105,8 @@ void Foam::functionObjects::refinementIndicator::update()
     }
     if (alphaName_ != none)
     {
-        const scalarField& alpha = field("alpha", alphaName_).primitiveField();
+        const scalarField& alpha =
+            mesh_.lookupObject<volScalarField>(alphaName_).primitiveField();
         values = max
         (
             values,

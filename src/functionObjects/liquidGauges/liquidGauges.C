@@ -53,6 +53,14 @@ bool Foam::functionObjects::liquidGauges::read(const dictionary& dict)
     checkFunctionKeywords(dict, {"stations", "alpha", "origin", "thickness"});
 
     alphaName_ = dict.getOrDefault<word>("alpha", "alpha.water");
+    if (!mesh_.foundObject<volScalarField>(alphaName_))
+    {
+        dictionaryInput::badValue
+        (
+            dict, "alpha", alphaName_,
+            "the name of a field of the solver, as alpha.water"
+        );
+    }
     origin_ = dictionaryInput::getVectorOrZero(dict, "origin");
     thickness_ = dictionaryInput::getScalarOrDefault
     (
@@ -100,15 +108,7 @@ Foam::functionObjects::liquidGauges::parts
     const vector& up
 ) const
 {
-    const auto* alpha = mesh_.cfindObject<volScalarField>(alphaName_);
-    if (!alpha)
-    {
-        FatalErrorInFunction
-            << "Keyword 'alpha' of the function object '" << name()
-            << "' has the value " << alphaName_ << nl
-            << "    allowed: the name of a field of the solver, as alpha.water"
-            << exit(FatalError);
-    }
+    const auto& alpha = mesh_.lookupObject<volScalarField>(alphaName_);
     const auto* eps = mesh_.cfindObject<volScalarField>("eps");
 
     // Four numbers for each part, as ranks send them
@@ -119,7 +119,7 @@ Foam::functionObjects::liquidGauges::parts
     forAll(lines_[stationi], k)
     {
         const cellOnLine& c = lines_[stationi][k];
-        const scalar share = (*alpha)[c.cell];
+        const scalar share = alpha[c.cell];
         mine[4*k] = base + c.begin;
         mine[4*k + 1] = base + c.end;
         mine[4*k + 2] = share;

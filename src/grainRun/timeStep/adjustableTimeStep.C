@@ -39,6 +39,7 @@ Foam::adjustableTimeStep::adjustableTimeStep
 )
 :
     time_(runTime),
+    times_(runTime),
     grains_(grains),
     weight_(grains, fluid)
 {
@@ -54,21 +55,6 @@ Foam::scalar Foam::adjustableTimeStep::grown
 )
 {
     return min(limit, before*min(1 + 0.1*limit/before, scalar(1.2)));
-}
-
-
-Foam::scalar Foam::adjustableTimeStep::dividing
-(
-    const scalar time,
-    const scalar deltaT
-)
-{
-    // What is left of a step by round-off is none
-    const scalar step =
-        time < GREAT ? time/max(std::ceil(time/deltaT - 1e-9), 1.0) : deltaT;
-
-    const scalar digit = std::pow(10.0, std::floor(std::log10(step)) - 9);
-    return digit*std::round(step/digit);
 }
 
 
@@ -169,32 +155,6 @@ Foam::scalar Foam::adjustableTimeStep::displacementLimit
 }
 
 
-Foam::scalar Foam::adjustableTimeStep::timeToWrite
-(
-    const Time& runTime,
-    const scalar deltaT
-)
-{
-    const word control
-    (
-        runTime.controlDict().getOrDefault<word>("writeControl", "timeStep")
-    );
-    if (control != "adjustable" && control != "adjustableRunTime")
-    {
-        return GREAT;
-    }
-
-    const scalar interval = dictionaryInput::getPositive
-    (
-        runTime.controlDict(), "writeInterval", dimTime
-    );
-    const scalar elapsed = runTime.value() - runTime.startTime().value();
-    const scalar next =
-        interval*(std::floor((elapsed + 1e-6*deltaT)/interval) + 1);
-    return next - elapsed;
-}
-
-
 void Foam::adjustableTimeStep::warnOnce(const surfaceScalarField& phiU)
 {
     if (hasWarned_)
@@ -241,13 +201,14 @@ void Foam::adjustableTimeStep::set
         {"maxDeltaT", given.maxDeltaT}
     });
     all.insert(all.end(), more.begin(), more.end());
-    take(time_, grains_.motion().lastTimeStep(), all);
+    take(time_, times_, grains_.motion().lastTimeStep(), all);
 }
 
 
 void Foam::adjustableTimeStep::take
 (
     Time& runTime,
+    const writingTimes& times,
     const scalar last,
     const std::vector<namedLimit>& all
 )
@@ -278,10 +239,9 @@ void Foam::adjustableTimeStep::take
         governing = isFirst ? "deltaT" : "growth";
     }
 
-    const scalar toWrite = timeToWrite(runTime, deltaT);
-    deltaT = dividing(toWrite, deltaT);
+    const scalar toWrite = times.toNext(deltaT);
+    deltaT = times.step(deltaT);
     runTime.setDeltaT(deltaT, false);
-
     Info<< " deltaT = " << deltaT << " s by " << governing;
     if (toWrite < GREAT)
     {

@@ -16,6 +16,7 @@ Foam::dryTimeStep::dryTimeStep
 )
 :
     time_(runTime),
+    times_(runTime),
     grains_(grains),
     acceleration_(mag(g))
 {
@@ -34,6 +35,7 @@ void Foam::dryTimeStep::set()
     adjustableTimeStep::take
     (
         time_,
+        times_,
         grains_.lastTimeStep(),
         {
             {

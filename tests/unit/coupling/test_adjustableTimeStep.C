@@ -22,31 +22,6 @@ TEST(AdjustableTimeStep, GrowsByAFifthAtMostAndFallsAtOnce)
 }
 
 
-TEST(AdjustableTimeStep, DividesATimeIntoWholeStepsThatAreNeverLonger)
-{
-    EXPECT_DOUBLE_EQ(step::dividing(10, 3), 2.5);
-    EXPECT_DOUBLE_EQ(step::dividing(10, 2.5), 2.5);
-    EXPECT_DOUBLE_EQ(step::dividing(1, 3), 1);
-    EXPECT_DOUBLE_EQ(step::dividing(GREAT, 3), 3);
-    for (const scalar deltaT : {0.0123456789, 0.3, 0.099999})
-    {
-        const scalar divided = step::dividing(1, deltaT);
-        // Ten digits are kept
-        EXPECT_LE(divided, deltaT*(1 + 1e-9));
-        EXPECT_NEAR(std::remainder(1, divided), 0, 1e-8);
-    }
-}
-
-
-TEST(AdjustableTimeStep, DoesNotSeeTheRoundOffOfATime)
-{
-    for (const scalar time : {0.04, 0.3, 7.7})
-    {
-        EXPECT_EQ(step::dividing(time, 1.23e-3), step::dividing(time*(1 + 4e-16), 1.23e-3));
-    }
-}
-
-
 TEST(AdjustableTimeStep, MovesABodyByTheDistance)
 {
     for (const scalar v : {0.0, 0.1, 20.0})

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "overlap/ball/BallFacet.hpp"
-#include "overlap/ball/GaussPoints.hpp"
+#include "overlap/base/GaussPoints.hpp"
 #include "overlap/disc/AngleSum.hpp"
 
 namespace overlap

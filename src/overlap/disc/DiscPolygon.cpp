@@ -5,6 +5,7 @@
 
 #include "overlap/disc/AngleSum.hpp"
 #include "overlap/disc/CircleEdge.hpp"
+#include "overlap/disc/SliverArea.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,27 +65,37 @@ AreaMoment discPolygon(const Point2& centre, double radius, const Point2* vertic
     if (low.maxCoeff() >= 1 || high.minCoeff() <= -1) return nothing;
     if (inside == n) return polygon(vertices, n);
 
-    UnitDiscIntegrals sum;
-    Point2 p = local(n - 1);
-    double bp = 1 - p.squaredNorm();
-    for (std::size_t k = 0; k < n; ++k)
+    const auto addEdges = [&](auto& integrals)
     {
-        const Point2 q = local(k);
-        const double bq = 1 - q.squaredNorm();
-        splitEdge(p, bp, q, bq, 1, sum);
-        p = q;
-        bp = bq;
-    }
+        Point2 p = local(n - 1);
+        double bp = 1 - p.squaredNorm();
+        for (std::size_t k = 0; k < n; ++k)
+        {
+            const Point2 q = local(k);
+            const double bq = 1 - q.squaredNorm();
+            splitEdge(p, bp, q, bq, 1, integrals);
+            p = q;
+            bp = bq;
+        }
+    };
+    UnitDiscIntegrals sum;
+    addEdges(sum);
 
     if (!sum.crossed())
     {
         return sum.arcAngle() > pi ? AreaMoment{pi * radius * radius, centre} : nothing;
     }
 
-    const double area = sum.area();
+    double area = sum.area();
+    if (area < 1e-3)
+    {
+        SliverArea sliver;
+        addEdges(sliver);
+        if (sliver.isAccurate()) area = sliver.value();
+    }
     if (!(area > 0)) return nothing;
 
-    // The centroid of a sliver is noise in the last digits of the area: keep it within disc and polygon.
+    // Round-off must not put the centroid of a sliver out of disc and polygon
     Point2 centroid = sum.moment();
     for (int i = 0; i < 2; ++i)
     {

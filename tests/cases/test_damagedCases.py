@@ -97,6 +97,7 @@ def mirror(kind):
         patch("type            wall", f"type            {kind}")(case)
         for file in ("0/U", "0/p_rgh"):
             swap(file, WALLS, f'left {{ type {kind}; }} "right|bottom|top"')(case)
+        swap(GRAINS, "(left right bottom top)", "(right bottom top)")(case)
 
     return spoil
 
@@ -151,7 +152,7 @@ TABLE = {
         patch("type            wall", "type            wal"),
         ["polyMesh/boundary", "left", "does not know", "wall"],
     ),
-    "plane of symmetry": ("grainFoam", mirror("symmetryPlane"), [GRAINS, "left", "'slip'"]),
+    "plane of symmetry": ("grainFoam", mirror("symmetryPlane"), [GRAINS, "left", "'walls'"]),
     "symmetry": ("grainFoam", mirror("symmetry"), ["left", "'symmetry'", "motion fixed"]),
     "cyclic walls": ("dryGrainFoam", cyclic, [GRAINS, "'patches'", "left", "'cyclic'"]),
     "cells of a mesh that has changed": (
@@ -313,12 +314,24 @@ def test_fixed_grains_may_meet_a_plane_of_symmetry(cases, tmp_path):
     shutil.copytree(cases / "grainFoam", tmp_path / "case")
     case = Case(tmp_path / "case")
     mirror("symmetryPlane")(case)
-    swap(GRAINS, "(left right bottom top)", "(right bottom top)")(case)
     swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")(case)
     write(CSV, "x,y,z,radius\n0.001,0.05,0.005,0.004\n")(case)
     control(case, endTime=0.002)
     case.run("grainFoam")
     assert case.logged("of it in the mesh ")[0] < 0.9 * case.logged("volume ")[0]
+
+
+def test_a_plane_of_symmetry_of_the_fluid_may_be_a_wall_of_grains(cases, tmp_path):
+    """A grain that flies at it comes back."""
+    shutil.copytree(cases / "grainFoam", tmp_path / "case")
+    case = Case(tmp_path / "case")
+    mirror("symmetry")(case)
+    swap(GRAINS, "(right bottom top)", "(left right bottom top)")(case)
+    swap("constant/g", "(0 -9.81 0)", "(-9.81 0 0)")(case)
+    write(CSV, "x,y,z,radius\n0.0045,0.05,0.005,0.004\n")(case)
+    control(case, endTime=0.1)
+    case.run("grainFoam")
+    assert case.grains()["position"][0, 0] == pytest.approx(0.004, abs=1e-6)
 
 
 def test_expression_for_walls_leaves_cyclic_patches_out(cases, tmp_path):

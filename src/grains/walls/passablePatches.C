@@ -13,14 +13,21 @@
 #include "symmetryPolyPatch.H"
 #include "wallPieces.H"
 
-Foam::wordList Foam::passablePatches
+namespace
+{
+
+using namespace Foam;
+
+//- Patches of the mesh that the sections of grainProperties name
+labelHashSet patchesOf
 (
     const dictionary& grainProperties,
+    const std::initializer_list<word>& sections,
     const polyMesh& mesh
 )
 {
-    labelHashSet known;
-    for (const word& section : {"walls", "outlets", "injections"})
+    labelHashSet patches;
+    for (const word& section : sections)
     {
         const dictionary& all = grainProperties.subOrEmptyDict(section);
         for (const word& name : all.toc())
@@ -28,10 +35,26 @@ Foam::wordList Foam::passablePatches
             const dictionary& one = all.subDict(name);
             if (one.get<word>("type") == "patches")
             {
-                known.insert(wallPieces::selectedPatches(one, mesh));
+                patches.insert(wallPieces::selectedPatches(one, mesh));
             }
         }
     }
+    return patches;
+}
+
+} // End anonymous namespace
+
+
+Foam::wordList Foam::passablePatches
+(
+    const dictionary& grainProperties,
+    const polyMesh& mesh
+)
+{
+    const labelHashSet known
+    (
+        patchesOf(grainProperties, {"walls", "outlets", "injections"}, mesh)
+    );
 
     DynamicList<word> names;
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -57,17 +80,20 @@ void Foam::refuseMirrors
     const polyMesh& mesh
 )
 {
+    const labelHashSet walls(patchesOf(grainProperties, {"walls"}, mesh));
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
+        const bool isMirror =
+            isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
+        if (isMirror && !walls.found(patch.index()))
         {
             FatalIOErrorInFunction(grainProperties)
                 << "Patch " << patch.name() << " of the mesh is of type '"
                 << patch.type() << "', in which grains that move have no mirror"
                 << nl
-                << "    allowed: a patch of type 'wall' with 'slip' for U, in"
-                << " 'walls' with a contact law without friction; or"
-                << " 'motion fixed' in 'coupling'" << exit(FatalIOError);
+                << "    allowed: the patch in 'walls', by a contact law without"
+                << " friction for a mirror; or 'motion fixed' in 'coupling'"
+                << exit(FatalIOError);
         }
     }
 }

@@ -11,14 +11,15 @@ namespace nscd
 /// A body that flies from impact to impact within a sub-step: from the last one on it is where it would be at the time
 /// t if it had started at the offset from its place at the beginning, with the present velocity (doc/theory, eq. 5.12).
 template <int D>
-struct Flyer
+struct alignas(64) Flyer
 {
-    Body<D> body;
-    Vector<D> offset = Vector<D>::Zero();       ///< [m]
-    Tangent<D> turned = zeroTangent<D>();       ///< the same of the way of its surface [m]
+    // What predictions read comes first, in one line of the cache
     double clock = 0;                           ///< time of the last impact [s]
-    double farthest = 0;                        ///< from the place where candidates were listed, at impacts [m]
     int impacts = 0;
+    Vector<D> offset = Vector<D>::Zero();       ///< [m]
+    Body<D> body;
+    Tangent<D> turned = zeroTangent<D>();       ///< the offset of the way of its surface [m]
+    double farthest = 0;                        ///< from the place where candidates were listed, at impacts [m]
 };
 
 /// What acts on a body in a sub-step, and where it is.

@@ -12,7 +12,7 @@ template <int D>
 void Impacts<D>::clear()
 {
     items_.clear();
-    watched_.clear();
+    details_.clear();
     levers_.clear();
     begin_.clear();
     given_.clear();
@@ -38,12 +38,10 @@ bool Impacts<D>::begin(std::vector<Flyer<D>>& flyers, const std::vector<Launch<D
     }
     begin_.push_back(items_.size());
     bool any = false;
-    watched_.resize(items_.size());
     for (std::size_t k = 0; k < items_.size(); ++k)
     {
-        watched_[k] = {never, items_[k].i, items_[k].j, 0, 0, 0};
         predict(k, flyers);
-        any = any || watched_[k].time <= dt;
+        any = any || items_[k].time <= dt;
     }
     listTouching(flyers.size());
     return any;
@@ -63,11 +61,12 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             continue;
         }
         const auto approach = arrangement_.approach(pair);
-        if (!approach)
+        if (!approach || (pair.second >= 0 && approach->gap > reach))
         {
             continue;
         }
-        Item item{p, candidates_.body(pair.first), candidates_.secondBody(pair), approach->normal, approach->gap};
+        Item item{never, candidates_.body(pair.first), candidates_.secondBody(pair), 0, 0, Vector<D>::Zero(), 0, 0};
+        Details details{p, approach->normal, approach->gap, &law};
         const bool isWall = pair.second < 0;
         const int wallBody = isWall ? arrangement_.wallBody(~pair.second) : -1;
         Vector<D> push = -launches[item.i].push;
@@ -77,13 +76,8 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             push += launches[item.j].push;
             item.slow += share * launches[item.j].push.norm();
         }
-        item.slow = std::max(item.slow, normalShare * std::abs(push.dot(item.normal)));
-        item.law = &law;
-        double closest = reach;
-        if (isWall)
-        {
-            closest = dt_ * (fastest_ + (usual_ - flyers[item.j].body.velocity).norm());
-        }
+        item.slow = std::max(item.slow, normalShare * std::abs(push.dot(details.normal)));
+        double closest = isWall ? dt_ * (fastest_ + (usual_ - flyers[item.j].body.velocity).norm()) : reach;
         if (wallBody >= 0 && item.j == candidates_.fixedBody())
         {
             const WallBody<D>& wall = wallBodies_[wallBody];
@@ -101,25 +95,27 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
         if (!data_.turning.empty() &&
             (arrangement_.isOfCluster(pair) || (isWall && item.j < candidates_.fixedBody())))
         {
-            addLever(item, pair, *approach, flyers);
+            addLever(item, details, pair, *approach, flyers);
         }
         else if (!isWall)
         {
             item.touching = arrangement_.sumOfRadii(pair);
+            item.separation = (details.gap + item.touching) * details.normal;
         }
         items_.push_back(item);
+        details_.push_back(details);
     }
 }
 
 template <int D>
-void Impacts<D>::addLever(Item& item, const Pair& pair, const Approach<D>& approach,
+void Impacts<D>::addLever(const Item& item, Details& details, const Pair& pair, const Approach<D>& approach,
                           const std::vector<Flyer<D>>& flyers)
 {
-    item.lever = static_cast<int>(levers_.size());
+    details.lever = static_cast<int>(levers_.size());
     LeveredContact<D>& c = levers_.emplace_back();
     c.i = item.i;
     c.j = item.j;
-    c.frame = contactFrame(item.normal);
+    c.frame = contactFrame(details.normal);
     c.turningI = data_.turning[c.i];
     c.armI = arrangement_.firstArm(pair, approach) / c.turningI.length;
     c.armJ.setZero();
@@ -151,19 +147,20 @@ void Impacts<D>::listTouching(std::size_t bodies)
     std::vector<int> next(touchingBegin_.begin(), touchingBegin_.end() - 1);
     for (std::size_t k = 0; k < items_.size(); ++k)
     {
-        touching_[next[items_[k].i]++] = static_cast<int>(k);
-        touching_[next[items_[k].j]++] = static_cast<int>(k);
+        const Item& item = items_[k];
+        touching_[next[item.i]++] = {static_cast<int>(k), item.j};
+        touching_[next[item.j]++] = {static_cast<int>(k), item.i};
     }
 }
 
 template <int D>
 void Impacts<D>::collectImpulses()
 {
-    for (const Item& item : items_)
+    for (const Details& details : details_)
     {
-        if (item.impacts > 0)
+        if (details.impacts > 0)
         {
-            given_.push_back({item.pair, item.normal, item.gap, item.given, item.pressed});
+            given_.push_back({details.pair, details.normal, details.gap, details.given, details.pressed});
         }
     }
 }

@@ -15,14 +15,14 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
     heap_.clear();
     for (std::size_t k = first; k < last; ++k)
     {
-        const Watched& w = watched_[k];
-        if (w.seenI != flyers[w.i].impacts || w.seenJ != flyers[w.j].impacts)
+        const Item& item = items_[k];
+        if (item.seen != flyers[item.i].impacts + flyers[item.j].impacts)
         {
             predict(k, flyers);
         }
-        if (w.time <= until)
+        if (item.time <= until)
         {
-            heap_.push_back({w.time, k, w.version});
+            heap_.push_back({item.time, k, item.version});
         }
     }
     std::make_heap(heap_.begin(), heap_.end());
@@ -32,21 +32,26 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
         std::pop_heap(heap_.begin(), heap_.end());
         const Event event = heap_.back();
         heap_.pop_back();
-        const Watched& w = watched_[event.item];
-        if (event.version != w.version)
+        const Item& item = items_[event.item];
+        if (event.version != item.version)
         {
             continue;
         }
         collide(event.item, flyers, energy);
-        for (const int body : {w.i, w.j})
+        for (const int body : {item.i, item.j})
         {
             if (body >= candidates_.fixedBody())
             {
                 continue;
             }
-            for (int t = touchingBegin_[body]; t < touchingBegin_[body + 1]; ++t)
+            constexpr int ahead = 4;
+            const int end = touchingBegin_[body + 1];
+            for (int t = touchingBegin_[body]; t < end; ++t)
             {
-                const std::size_t k = touching_[t];
+                const Touch& later = touching_[std::min(t + ahead, end - 1)];
+                __builtin_prefetch(&items_[later.item]);
+                __builtin_prefetch(&flyers[later.other]);
+                const std::size_t k = touching_[t].item;
                 if (k >= first && k < last)
                 {
                     schedule(k, flyers, until);
@@ -60,9 +65,9 @@ template <int D>
 void Impacts<D>::schedule(std::size_t k, const std::vector<Flyer<D>>& flyers, double until)
 {
     predict(k, flyers);
-    if (watched_[k].time <= until)
+    if (items_[k].time <= until)
     {
-        heap_.push_back({watched_[k].time, k, watched_[k].version});
+        heap_.push_back({items_[k].time, k, items_[k].version});
         std::push_heap(heap_.begin(), heap_.end());
     }
 }
@@ -70,49 +75,46 @@ void Impacts<D>::schedule(std::size_t k, const std::vector<Flyer<D>>& flyers, do
 template <int D>
 void Impacts<D>::predict(std::size_t k, const std::vector<Flyer<D>>& flyers)
 {
-    Watched& w = watched_[k];
     Item& item = items_[k];
-    const Flyer<D>&a = flyers[w.i], &b = flyers[w.j];
-    w.seenI = a.impacts;
-    w.seenJ = b.impacts;
-    ++w.version;
-    w.time = never;
-    if (item.impacts >= mostImpacts)
-    {
-        return;
-    }
+    const Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
+    item.seen = a.impacts + b.impacts;
+    ++item.version;
     const double now = std::max(a.clock, b.clock);
-    if (item.touching > 0)
-    {
-        w.time = predictRound(item, a, b, now);
-        return;
-    }
-    double speed = 0, gap = item.gap;
-    if (item.lever >= 0)
-    {
-        const LeveredContact<D>& c = levers_[item.lever];
-        speed = -normalVelocity(c, a.body, b.body);
-        gap += (b.offset - a.offset + spinVelocity(b.turned, c.armJ) - spinVelocity(a.turned, c.armI))
-                   .dot(item.normal);
-    }
-    else
-    {
-        speed = -(b.body.velocity - a.body.velocity).dot(item.normal);
-        gap += (b.offset - a.offset).dot(item.normal);
-    }
-    if (speed > item.slow && gap <= dt_ * speed)
-    {
-        item.met = gap > 0 ? gap / speed : 0;
-        w.time = std::max(now, item.met);
-    }
+    item.time = item.touching > 0 ? predictRound(item, a, b, now, details_[k].met)
+                                  : predictFlat(item, a, b, now, details_[k]);
 }
 
 template <int D>
-double Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const
+double Impacts<D>::predictFlat(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now,
+                               Details& details) const
+{
+    double speed = 0, gap = details.gap;
+    if (details.lever >= 0)
+    {
+        const LeveredContact<D>& c = levers_[details.lever];
+        speed = -normalVelocity(c, a.body, b.body);
+        gap += (b.offset - a.offset + spinVelocity(b.turned, c.armJ) - spinVelocity(a.turned, c.armI))
+                   .dot(details.normal);
+    }
+    else
+    {
+        speed = -(b.body.velocity - a.body.velocity).dot(details.normal);
+        gap += (b.offset - a.offset).dot(details.normal);
+    }
+    if (!(speed > item.slow && gap <= dt_ * speed))
+    {
+        return never;
+    }
+    details.met = gap > 0 ? gap / speed : 0;
+    return std::max(now, details.met);
+}
+
+template <int D>
+double Impacts<D>::predictRound(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now,
+                                double& met) const
 {
     const Vector<D> velocity = b.body.velocity - a.body.velocity;
-    const Vector<D> separation =
-        (item.gap + item.touching) * item.normal + (b.offset - a.offset) + now * velocity;
+    const Vector<D> separation = item.separation + (b.offset - a.offset) + now * velocity;
     const double closing = -separation.dot(velocity);
     const double outside = separation.squaredNorm() - item.touching * item.touching;
     if (closing <= 0 || outside > 2 * dt_ * closing)
@@ -132,10 +134,10 @@ double Impacts<D>::predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b
     }
     if (outside > 0)
     {
-        item.met = now + outside / (closing + root);
-        return item.met;
+        met = now + outside / (closing + root);
+        return met;
     }
-    item.met = std::max(0.0, now + (closing - root) / square);
+    met = std::max(0.0, now + (closing - root) / square);
     return now;
 }
 
@@ -143,50 +145,54 @@ template <int D>
 void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& energy)
 {
     Item& item = items_[k];
+    Details& details = details_[k];
     Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
     const Body<D> beforeA = a.body, beforeB = b.body;
-    energy += item.lever >= 0 ? collideLevered(item, a, b) : collidePlain(item, a, b);
-    divert(item.i, flyers, beforeA, item.met, watched_[k].time);
-    divert(item.j, flyers, beforeB, item.met, watched_[k].time);
-    ++item.impacts;
+    energy += details.lever >= 0 ? collideLevered(details, a, b) : collidePlain(item, details, a, b);
+    divert(item.i, flyers, beforeA, details.met, item.time);
+    divert(item.j, flyers, beforeB, details.met, item.time);
+    ++details.impacts;
     ++count_;
-    exhausted_ += item.impacts == mostImpacts;
+    if (details.impacts == mostImpacts)
+    {
+        ++exhausted_;
+        item.slow = never;
+    }
 }
 
 template <int D>
-double Impacts<D>::collidePlain(Item& item, Flyer<D>& a, Flyer<D>& b)
+double Impacts<D>::collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
 {
-    Vector<D> normal = item.normal;
+    Vector<D> normal = details.normal;
     const Vector<D> before = b.body.velocity - a.body.velocity;
     if (item.touching > 0)
     {
-        const Vector<D> separation =
-            (item.gap + item.touching) * item.normal + (b.offset - a.offset) + item.met * before;
+        const Vector<D> separation = item.separation + (b.offset - a.offset) + details.met * before;
         const double distance = separation.norm();
         normal = distance > 0 ? Vector<D>(separation / distance) : normal;
     }
-    const Contact<D> c = centralImpact<D>(normal, a.body, b.body, item.law->friction, item.law->restitution);
+    const Contact<D> c = centralImpact<D>(normal, a.body, b.body, details.law->friction, details.law->restitution);
     const Tangent<D> slipBefore = slip(c, a.body, b.body, before);
     apply<D>(c, a.body, b.body, c.normalImpulse, c.slipImpulse);
     const Vector<D> after = b.body.velocity - a.body.velocity;
     const Vector<D> impulse = impulseVector(normal, c.normalImpulse, c.slipImpulse);
-    item.given += impulse;
-    item.pressed += c.normalImpulse;
+    details.given += impulse;
+    details.pressed += c.normalImpulse;
     const Tangent<D> slips = slipBefore + slip(c, a.body, b.body, after);
     return 0.5 * (c.normalImpulse * (before + after).dot(normal) + product(c.slipImpulse, slips)) -
            workOnDriven(b, impulse);
 }
 
 template <int D>
-double Impacts<D>::collideLevered(Item& item, Flyer<D>& a, Flyer<D>& b)
+double Impacts<D>::collideLevered(Details& details, Flyer<D>& a, Flyer<D>& b)
 {
-    const LeveredContact<D>& c = levers_[item.lever];
+    const LeveredContact<D>& c = levers_[details.lever];
     const Vector<D> velocity = c.frame.transpose() * relativeVelocity(c, a.body, b.body);
-    const Vector<D> r = impactImpulse<D>(c.w, velocity, item.law->friction, item.law->restitution);
+    const Vector<D> r = impactImpulse<D>(c.w, velocity, details.law->friction, details.law->restitution);
     const Vector<D> impulse = c.frame * r;
     apply<D>(c, a.body, b.body, impulse, zeroTangent<D>());
-    item.given += impulse;
-    item.pressed += r[0];
+    details.given += impulse;
+    details.pressed += r[0];
     return nscd::work<D>(c.w, velocity, r) - workOnDriven(b, impulse);
 }
 

@@ -73,29 +73,35 @@ private:
     /// (doc/theory, eq. 5.15).
     static constexpr double share = 0.5, normalShare = 4;
 
-    /// What a visit to a group looks at.
-    struct Watched
+    /// What a prediction reads and writes, in one line of the cache.
+    struct alignas(64) Item
     {
         double time;           ///< of the next impact [s]
         int i, j;
-        int seenI, seenJ;      ///< impacts of the bodies when that was found
+        int seen;              ///< impacts of both bodies when that was found
         unsigned version;
+        Vector<D> separation;  ///< of two discs or spheres, at the beginning [m]
+        double touching;       ///< R_i + R_j of two discs or spheres [m]; 0 for others
+        double slow;           ///< approach that is not an impact [m/s]
     };
 
-    struct Item
+    struct Details
     {
         std::size_t pair;
-        int i, j;
         Vector<D> normal;      ///< at the beginning
         double gap;            ///< at the beginning [m]
-        double touching = 0;   ///< R_i + R_j of two discs or spheres [m]; 0 for others
-        double slow = 0;       ///< approach that is not an impact [m/s]
         const ContactParameters* law = nullptr;
         int lever = -1;        ///< index into levers_
         int impacts = 0;
         double met = 0;        ///< when the lines of flight cross: before the impact if it comes late [s]
         Vector<D> given = Vector<D>::Zero();
         double pressed = 0;
+    };
+
+    /// A contact of a body and the body on its other side.
+    struct Touch
+    {
+        int item, other;
     };
 
     struct Event
@@ -113,19 +119,21 @@ private:
 
     void list(const Group& group, std::vector<Flyer<D>>& flyers, const std::vector<Launch<D>>& launches,
               const std::vector<Impulse<D>>& impulses);
-    void addLever(Item& item, const Pair& pair, const Approach<D>& approach, const std::vector<Flyer<D>>& flyers);
+    void addLever(const Item& item, Details& details, const Pair& pair, const Approach<D>& approach,
+                  const std::vector<Flyer<D>>& flyers);
     void listTouching(std::size_t bodies);
 
     void predict(std::size_t item, const std::vector<Flyer<D>>& flyers);
 
-    /// Return the time [s].
-    double predictRound(Item& item, const Flyer<D>& a, const Flyer<D>& b, double now) const;
+    /// Return the time [s]; 'met' is set if there is one.
+    double predictRound(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now, double& met) const;
+    double predictFlat(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now, Details& details) const;
     void schedule(std::size_t item, const std::vector<Flyer<D>>& flyers, double until);
     void collide(std::size_t item, std::vector<Flyer<D>>& flyers, double& energy);
 
     /// Return the kinetic energy that the bodies gain [J].
-    double collidePlain(Item& item, Flyer<D>& a, Flyer<D>& b);
-    double collideLevered(Item& item, Flyer<D>& a, Flyer<D>& b);
+    double collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
+    double collideLevered(Details& details, Flyer<D>& a, Flyer<D>& b);
 
     /// What an impulse does to a body that is driven, which does not count [J].
     static double workOnDriven(const Flyer<D>& b, const Vector<D>& impulse);
@@ -143,10 +151,11 @@ private:
     double dt_ = 0, resolved_ = 0, fastest_ = 0;
     Vector<D> usual_ = Vector<D>::Zero();
     std::vector<Item> items_;
-    std::vector<Watched> watched_;              ///< of each item
+    std::vector<Details> details_;              ///< of each item
     std::vector<LeveredContact<D>> levers_;
     std::vector<std::size_t> begin_;            ///< first item of each group, and the end
-    std::vector<int> touching_, touchingBegin_; ///< items of each body
+    std::vector<Touch> touching_;               ///< items of each body
+    std::vector<int> touchingBegin_;
     std::vector<Event> heap_;
     std::vector<double> energy_;
     std::vector<PairImpulse<D>> given_;

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from dry_box import dry_box
-from grain_box import cyclic_box, grain_box, replace
+from grain_box import cyclic_box, grain_box, make_cyclic, replace
 
 BOX = "box (0 0 0) (0.1 0.1 0);"
 HEADER = "FoamFile { version 2.0; format ascii; class dictionary; object packGrainsDict; }\n"
@@ -170,6 +170,15 @@ def test_settled_grains_rest_on_the_floor_and_run(clone):
     start, end = centres, case.grains()["position"]
     # Nothing but the first step's fall and the wash of the fluid that it set in motion
     assert np.abs(end - start).max() < 0.1 * radii.min()
+
+
+def test_grains_that_settle_through_periodic_sides_are_written_in_the_mesh(clone):
+    case = grain_box(clone)
+    make_cyclic(case, ("left", "right"))
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(bottom top)")
+    case.run("blockMesh")
+    centres, _ = pack_case(case, f"type settled; from {{ {FILL} }} deltaT 1e-3;")
+    assert np.all((centres[:, 0] >= 0) & (centres[:, 0] < 0.1))
 
 
 BAD = [

@@ -250,6 +250,11 @@ nscd::Grains<D> Foam::grainProperties<D>::grains(const dictionary& source) const
     {
         mass *= packingRatio_;
     }
+    // Grains that settle may pass periodic sides
+    for (nscd::Vector<D>& x : result.position)
+    {
+        x = wrapped(x);
+    }
     return result;
 }
 

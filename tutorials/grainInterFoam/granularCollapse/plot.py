@@ -12,7 +12,7 @@ G, DIAMETER = 9.81, 4.6e-3
 # Depth of water [m], front Froude number of the experiment (Sarlin et al. 2021, J. Fluid Mech. 919
 # R6) and of the thesis (table 5.1)
 CASES = {"1": (0.25, 0.19, 0.27), "2": (0.08, 0.65, 0.83), "3": (0.04, 1.39, 1.93)}
-SHOWN = ("0.2", "0.4", "0.8", "1.2")
+SHOWN = (0.2, 0.4, 0.8, 1.2)
 BEFORE_THE_END = 1.0  # [s], of the basin
 
 
@@ -34,60 +34,65 @@ def fastest(times, x):
     )
 
 
-def surface(case, mesh, time):
-    """x and height of the water, columns of cells."""
-    alpha = grainplot.read_field(case, time, "alpha.water", len(mesh.polygons))
-    centres = np.array([polygon.mean(axis=0) for polygon in mesh.polygons])
-    x = np.unique(centres[:, 0].round(6))
-    width = x[1] - x[0]
-    column = np.searchsorted(x, centres[:, 0].round(6))
-    return x, np.bincount(column, alpha * mesh.areas) / width
+def levels(case):
+    """Places of the gauges, times and levels (time, place), NaN where a line has no water."""
+    words = (case / "stations").read_text().replace("(", " ").split()
+    x = np.array([float(word) for word in words[1::3]])
+    table = np.genfromtxt(
+        case / "postProcessing/gauges/0/levels.csv", delimiter=",", skip_header=1, ndmin=2
+    )
+    return x, table[:, 0], table[:, 1:]
 
 
-def sheet(name, case, mesh):
+def sheet(case):
     times = grainplot.times(case)
-    shown = [t for t in SHOWN if t in times] or times[-1:]
+    k = [np.argmin(np.abs(np.array(times, dtype=float) - t)) for t in SHOWN]
+    shown = [times[i] for i in sorted(set(k))]
     figure, rows = plt.subplots(
         len(shown), 1, figsize=(9, 2.2 * len(shown)), layout="constrained", squeeze=False
     )
+    x, sampled, level = levels(case)
     for ax, time in zip(rows[:, 0], shown, strict=True):
-        alpha = grainplot.read_field(case, time, "alpha.water", len(mesh.polygons))
-        grainplot.draw_cells(ax, mesh, alpha, lines=False, cmap="Blues", clim=(0, 1))
+        water = level[np.argmin(np.abs(sampled - float(time)))]
+        if case.name.startswith("discs"):
+            mesh = grainplot.read_mesh(case)
+            alpha = grainplot.read_field(case, time, "alpha.water", len(mesh.polygons))
+            grainplot.draw_cells(ax, mesh, alpha, lines=False, cmap="Blues", clim=(0, 1))
+        else:
+            ax.fill_between(x, 0, water, color="tab:blue", linewidth=0)
         grains = grainplot.read_grains(case, time)
-        grainplot.draw_grains(ax, grains, facecolors="sienna", linewidths=0)
-        ax.set(title=f"t = {time} s", aspect="equal")
-    figure.savefig(f"snapshots/case_{name}.png", dpi=110)
+        seen = {"position": grains["position"][:, :2], "radius": grains["radius"]}
+        grainplot.draw_grains(ax, seen, facecolors="sienna", linewidths=0)
+        ax.set(title=f"t = {time} s", aspect="equal", xlim=(0, x[-1]), ylim=(0, None))
+    figure.savefig(f"snapshots/{case.name}.png", dpi=110)
     plt.close(figure)
 
 
 def main():
     Path("snapshots").mkdir(exist_ok=True)
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
-    rows = []
-    for name, (depth, experiment, thesis) in CASES.items():
-        case = Path(f"case_{name}")
-        if not case.is_dir():
-            continue
-        mesh = grainplot.read_mesh(case)
-        times, x = front(case, depth)
-        Fr = fastest(times, x) / np.sqrt(G * depth)
-        left.plot(times, (x - x[0]) / depth, label=f"case {name}")
+    lines = ["case,Fr_f,Fr_f of the experiment,Fr_f of the thesis,largest crest over depth"]
+    for number, (depth, experiment, thesis) in CASES.items():
+        for shape, style in (("discs", "-"), ("spheres", "--")):
+            case = Path(f"{shape}_{number}")
+            if not case.is_dir():
+                continue
+            label, look = f"{shape} {number}", {"color": f"C{number}", "linestyle": style}
+            times, x = front(case, depth)
+            Fr = fastest(times, x) / np.sqrt(G * depth)
+            left.plot(times, (x - x[0]) / depth, label=label, **look)
 
-        written = [t for t in grainplot.times(case) if 0 < float(t) <= BEFORE_THE_END]
-        crest = []
-        for time in written:
-            at, height = surface(case, mesh, time)
-            beyond = at > np.interp(float(time), times, x)
-            crest.append(height[beyond].max() / depth - 1)
-        right.plot([float(t) for t in written], crest, label=f"case {name}")
-        rows.append((name, Fr, experiment, thesis, max(crest)))
-        sheet(name, case, mesh)
+            at, sampled, level = levels(case)
+            early = sampled <= BEFORE_THE_END
+            beyond = at > np.interp(sampled[early], times, x)[:, None]
+            crest = np.where(beyond, level[early], 0).max(axis=1) / depth - 1
+            right.plot(sampled[early], crest, label=label, **look)
+            lines.append(f"{label},{Fr:.2f},{experiment},{thesis},{crest.max():.2f}")
+            sheet(case)
     left.set(xlabel="t [s]", ylabel="granular front at the level / depth")
     right.set(xlabel="t [s]", ylabel="crest over the level / depth")
     left.legend()
     figure.savefig("snapshots/fronts.png", dpi=110)
-    lines = ["case,Fr_f,Fr_f of the experiment,Fr_f of the thesis,largest crest over depth"]
-    lines += [f"{n},{Fr:.2f},{e},{t},{a:.2f}" for n, Fr, e, t, a in rows]
     Path("results.csv").write_text("\n".join([*lines, ""]))
     print("\n".join(lines))
 

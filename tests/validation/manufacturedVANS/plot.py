@@ -44,7 +44,7 @@ def main():
         ax.loglog(h, error[:, 1], "s--", label=f"{title}, p")
     ax.loglog(h, 0.001 * (h / h[-1]) ** 2, "k:", label="second order")
     ax.set(xlabel="h/L", ylabel="relative error", title="manufactured solutions")
-    ax.legend()
+    ax.legend(loc="lower right", fontsize="small")
     figure.savefig("results.png", dpi=110)
     results.finish()
 

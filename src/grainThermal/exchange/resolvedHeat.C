@@ -6,6 +6,7 @@
 #include "resolvedHeat.H"
 
 #include "combineOverRanks.H"
+#include "poorConductors.H"
 
 bool Foam::resolvedHeat::conductsInside(const grainSystem& grains)
 {
@@ -119,8 +120,7 @@ Foam::scalar Foam::resolvedHeat::conductivity
     const scalar k,
     const label own,
     const label neighbour,
-    const scalar byPart,
-    const face& place
+    const scalar byPart
 ) const
 {
     if (own == neighbour)
@@ -137,45 +137,15 @@ Foam::scalar Foam::resolvedHeat::conductivity
     {
         return byPart*k;
     }
-    const label graini = max(own, neighbour);
-    const scalar kGrain = grains_.temperatures().conductivity(graini);
+    const scalar kGrain =
+        grains_.temperatures().conductivity(max(own, neighbour));
+    if (kGrain < k)
+    {
+        // But for what poorConductors finds inside
+        return k;
+    }
     const scalar part = 1/byPart;
-    const scalar inSeries = 1/(part/k + (1 - part)/kGrain);
-    if (kGrain > k)
-    {
-        return inSeries;
-    }
-    const scalar across = sqr(normal(graini, place.centre) & place.normal);
-    const scalar sideBySide = part*k + (1 - part)*kGrain;
-    return across*inSeries + (1 - across)*sideBySide;
-}
-
-
-Foam::vector Foam::resolvedHeat::normal
-(
-    const label graini,
-    const point& x
-) const
-{
-    scalar nearest = GREAT;
-    vector result(Zero);
-    for (const grainMember& body : grains_.members(graini))
-    {
-        vector r(grains_.shortest(x - body.centre));
-        for (direction i = 0; i < vector::nComponents; ++i)
-        {
-            if (grains_.mesh().geometricD()[i] < 0)
-            {
-                r[i] = 0;
-            }
-        }
-        if (mag(r) - body.radius < nearest)
-        {
-            nearest = mag(r) - body.radius;
-            result = r/max(mag(r), VSMALL);
-        }
-    }
-    return result;
+    return 1/(part/k + (1 - part)/kGrain);
 }
 
 
@@ -188,11 +158,11 @@ void Foam::resolvedHeat::setFaces
     const fvMesh& mesh = grains_.mesh();
     const volScalarField grain(grainOfCells());
     const surfaceScalarField& byPart = resolved_.conductance();
+    const surfaceScalarField fluid("kappaOfFluid", faces);
 
     const auto set = [&]
     (
         scalar& faceK,
-        const face& place,
         const scalar kOwn,
         const scalar kNeighbour,
         const label own,
@@ -203,7 +173,7 @@ void Foam::resolvedHeat::setFaces
         if (own >= 0 || neighbour >= 0)
         {
             const scalar k = own < 0 ? kOwn : kNeighbour;
-            faceK = conductivity(k, own, neighbour, part, place);
+            faceK = conductivity(k, own, neighbour, part);
         }
     };
 
@@ -213,7 +183,6 @@ void Foam::resolvedHeat::setFaces
         set
         (
             faces[facei],
-            {mesh.Cf()[facei], mesh.Sf()[facei]/mesh.magSf()[facei]},
             kappa[P], kappa[N], label(grain[P]), label(grain[N]), byPart[facei]
         );
     }
@@ -234,11 +203,14 @@ void Foam::resolvedHeat::setFaces
             set
             (
                 faces.boundaryFieldRef()[patchi][i],
-                {g.patch().Cf()[i], g.patch().nf()()[i]},
                 kOwn[i], kNeighbour[i], label(own[i]), label(neighbour[i]),
                 byPart.boundaryField()[patchi][i]
             );
         }
+    }
+    if (conducts_)
+    {
+        poorConductors(grains_, resolved_, fluid).set(fluid, faces);
     }
 }
 

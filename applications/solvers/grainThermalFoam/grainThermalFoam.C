@@ -36,6 +36,7 @@ Description
 #include "thermalFluid.H"
 #include "vansFlow.H"
 #include "vapour.H"
+#include "vapourLedger.H"
 
 int main(int argc, char *argv[])
 {
@@ -114,6 +115,7 @@ int main(int argc, char *argv[])
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());
+        vapourBooks.endStep(carried.flux());
         grains.checkLost();
 
         if (runTime.writeTime())

@@ -4,7 +4,7 @@
 
 import pytest
 from grain_box import control, grain_box, replace
-from heat_box import fix_grains, with_heat
+from heat_box import fix_grains, with_heat, with_psi
 from sphere_box import sphere_box
 
 GRAINS = "constant/grainProperties"
@@ -169,6 +169,25 @@ TABLE = [
 ]
 
 
+VAPOUR = "vapour { D 1e-5; }"
+PSI = "0/psi"
+
+TABLE_OF_VAPOUR = [
+    ("noPsi", remove(PSI), [PSI]),
+    ("dimensionsOfPsi", swap(PSI, "[0 0 0 0", "[0 0 0 1"),
+     ["psi", "[0 0 0 1 0 0 0]", "[0 0 0 0 0 0 0]"]),
+    ("negativePsi", swap(PSI, "uniform 0.5", "uniform -0.1"),
+     [PSI, "'internalField'", "value -0.1", "0 to 1"]),
+    ("psiAboveOne",
+     swap(PSI, '|top" {', '" { type zeroGradient; } top { value uniform 1.5; type fixedValue; } "x" {'),
+     [PSI, "'boundaryField.top'", "value 1.5", "0 to 1"]),
+    ("noD", swap(FLUID, "D 1e-5;", ""), [FLUID, "vapour", "'D'", "missing", "[0 2 -1 0 0 0 0]"]),
+    ("negativeD", swap(FLUID, "D 1e-5;", "D -1;"), [FLUID, "vapour", "'D'", "value -1"]),
+    ("unknownEntryOfVapour", swap(FLUID, "D 1e-5;", "D 1e-5; Sc 1;"),
+     [FLUID, "vapour", "'Sc'", "D"]),
+]
+
+
 def hot_box(clone, **heat):
     return with_heat(grain_box(clone, CENTRES), **heat)
 
@@ -189,6 +208,38 @@ def test_bad_input_is_refused(clone, spoil, fragments):
     case = hot_box(clone)
     spoil(case)
     assert_refused(case, fragments)
+
+
+@pytest.mark.parametrize(
+    "spoil, fragments", [row[1:] for row in TABLE_OF_VAPOUR], ids=[r[0] for r in TABLE_OF_VAPOUR]
+)
+def test_bad_input_of_vapour_is_refused(clone, spoil, fragments):
+    case = hot_box(clone, fluid=f"{CP} {KAPPA} {VAPOUR}")
+    sides = '"left|right|bottom|top" { type zeroGradient; } frontAndBack { type empty; }'
+    with_psi(case, 0.5, sides)
+    spoil(case)
+    assert_refused(case, fragments)
+
+
+@pytest.mark.parametrize(("law", "words"), [
+    ("Gunn", None),
+    # At most two thirds of a cell are fluid, and the law is one of lone spheres
+    ("RanzMarshall", "fluid fractions from 0.9 and superficial Reynolds numbers up to 1000"),
+])
+def test_law_outside_its_range_says_so_once(clone, law, words):
+    case = hot_box(clone, law=f"type {law}; shape sphere;")
+    control(case, endTime=0.005, writeInterval=5)
+    case.run("grainThermalFoam")
+    assert case.log.count("coupling/heatTransfer was found for") == (1 if words else 0)
+    assert words is None or words in case.log
+
+
+def test_law_above_its_reynolds_number_says_so_once(clone):
+    case = hot_box(clone, law="type Gunn; shape sphere;")
+    replace(case, FLUID, "1e-4;", "1e-9;")
+    control(case, endTime=0.005, writeInterval=5)
+    case.run("grainThermalFoam")
+    assert case.log.count("superficial Reynolds numbers up to 100000") == 1
 
 
 def test_good_input_is_accepted(clone):

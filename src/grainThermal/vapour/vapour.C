@@ -29,13 +29,28 @@ Foam::vapour::vapour
     psi_.reset(new fluidScalar(mesh, "psi"));
     const volScalarField& psi = psi_->field();
     dictionaryInput::checkDimensions(psi, psi.dimensions(), dimless);
-    if (min(psi).value() < 0 || max(psi).value() > 1)
+    checkShares("internalField", psi.primitiveField());
+    for (const fvPatchScalarField& patch : psi.boundaryField())
+    {
+        checkShares("boundaryField." + patch.patch().name(), patch);
+    }
+}
+
+
+void Foam::vapour::checkShares
+(
+    const string& keyword,
+    const scalarField& psi
+) const
+{
+    const scalar least = min(psi), most = max(psi);
+    if (psi.size() && !(least >= 0 && most <= 1))
     {
         FatalErrorInFunction
-            << "The field psi of time " << mesh.time().timeName()
-            << " has values from " << min(psi).value() << " to "
-            << max(psi).value() << nl << "    allowed: 0 to 1"
-            << exit(FatalError);
+            << "Keyword '" << keyword.c_str() << "' of the file "
+            << psi_->field().objectPath() << " has the value "
+            << (least >= 0 ? most : least) << nl
+            << "    allowed: 0 to 1 []" << exit(FatalError);
     }
 }
 

@@ -76,7 +76,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
     );
     if (levels_.isNeeded())
     {
-        tswap.ref() *= offLevel(alpha);
+        tswap.ref() *= offLevel(alpha, localMax<scalar>(mesh_).interpolate(locked));
     }
     for (fvsPatchScalarField& patch : tswap.ref().boundaryFieldRef())
     {

@@ -7,8 +7,8 @@
 
 #include "fvc.H"
 #include "gaussLaplacianScheme.H"
-#include "localMax.H"
 #include "localMin.H"
+#include "syncTools.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -36,8 +36,20 @@ volScalarField plain
 }
 
 
-//- Call f(cell, values of the other cell...) for both sides of each face with
-//  two cells
+scalar faceValue(const surfaceScalarField& x, const label facei)
+{
+    if (x.mesh().isInternalFace(facei))
+    {
+        return x[facei];
+    }
+    const label patchi = x.mesh().boundaryMesh().whichPatch(facei);
+    const fvsPatchScalarField& patch = x.boundaryField()[patchi];
+    return patch.size() ? patch[facei - patch.patch().start()] : 0;
+}
+
+
+//- Call f(face, cell, values of the other cell...) for both sides of each face
+//  with two cells
 template<class Function>
 void forSides(const volScalarField& x, const volScalarField& y, const Function& f)
 {
@@ -45,8 +57,8 @@ void forSides(const volScalarField& x, const volScalarField& y, const Function& 
     forAll(mesh.neighbour(), facei)
     {
         const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
-        f(P, x[N], y[N]);
-        f(N, x[P], y[P]);
+        f(facei, P, x[N], y[N]);
+        f(facei, N, x[P], y[P]);
     }
     forAll(x.boundaryField(), patchi)
     {
@@ -59,7 +71,7 @@ void forSides(const volScalarField& x, const volScalarField& y, const Function& 
         const scalarField yN(y.boundaryField()[patchi].patchNeighbourField());
         forAll(cells, i)
         {
-            f(cells[i], xN[i], yN[i]);
+            f(mesh.boundary()[patchi].start() + i, cells[i], xN[i], yN[i]);
         }
     }
 }
@@ -144,7 +156,11 @@ void Foam::continuedFraction::continueLevels
     forSides
     (
         level, isCovered,
-        [&](const label celli, const scalar levelN, const scalar coveredN)
+        [&]
+        (
+            const label, const label celli,
+            const scalar levelN, const scalar coveredN
+        )
         {
             if (coveredN > 0 && isCovered[celli] < 1)
             {
@@ -176,51 +192,86 @@ void Foam::continuedFraction::continueLevels
 }
 
 
+Foam::scalarField Foam::continuedFraction::missOfFaces
+(
+    const volScalarField& alpha,
+    const surfaceScalarField& faces
+) const
+{
+    // Levels of the cells of these faces, for the other side, too
+    volScalarField level
+    (
+        plain(mesh_, "levelOfFaces", scalarField(mesh_.nCells(), Zero))
+    );
+    forAll(level, celli)
+    {
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if (faceValue(faces, facei) > 0)
+            {
+                level[celli] = levels_.level(celli, alpha[celli]);
+                break;
+            }
+        }
+    }
+    level.correctBoundaryConditions();
+    const volScalarField held(plain(mesh_, "held", alpha.primitiveField()));
+
+    scalarField miss(mesh_.nFaces(), Zero);
+    forSides
+    (
+        held, level,
+        [&]
+        (
+            const label facei, const label celli,
+            const scalar alphaN, const scalar levelN
+        )
+        {
+            if (faceValue(faces, facei) > 0 && alpha[celli] != alphaN)
+            {
+                const scalar P = surfaceLevels::weight(alpha[celli]);
+                const scalar N = surfaceLevels::weight(alphaN);
+                const scalar common = (P*level[celli] + N*levelN)/(P + N);
+                miss[facei] = max
+                (
+                    miss[facei],
+                    mag(levels_.share(celli, common) - alpha[celli])
+                );
+            }
+        }
+    );
+    syncTools::syncFaceList(mesh_, miss, maxEqOp<scalar>());
+    return miss;
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::offLevel
 (
-    const volScalarField& alpha
+    const volScalarField& alpha,
+    const surfaceScalarField& faces
 ) const
 {
     // Differences of shares from which fluid changes places, and all of it does:
     // for less, what changes places would make them larger
     constexpr scalar none = 0.2, all = 0.5;
 
-    // Two cells of one fluid have no surface
-    constexpr scalar same = 1e-9;
-
-    const volScalarField levels(levels_.levels(alpha));
-    const volScalarField held(plain(mesh_, "held", alpha.primitiveField()));
-    volScalarField miss
-    (
-        plain(mesh_, "missOfLevel", scalarField(mesh_.nCells(), Zero))
-    );
-    forSides
-    (
-        held, levels,
-        [&](const label celli, const scalar alphaN, const scalar levelN)
+    const scalarField miss(missOfFaces(alpha, faces));
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*faces));
+    surfaceScalarField& result = tresult.ref();
+    const auto part = [&](const label facei)
+    {
+        return max(min((miss[facei] - none)/(all - none), scalar(1)), scalar(0));
+    };
+    forAll(result, facei)
+    {
+        result[facei] = part(facei);
+    }
+    for (fvsPatchScalarField& patch : result.boundaryFieldRef())
+    {
+        forAll(patch, i)
         {
-            const scalar P = surfaceLevels::weight(alpha[celli]);
-            const scalar N = surfaceLevels::weight(alphaN);
-            if (mag(alpha[celli] - alphaN) < same)
-            {
-                return;
-            }
-            const scalar level = (P*levels[celli] + N*levelN)/(P + N);
-            miss[celli] = max
-            (
-                miss[celli],
-                mag(levels_.share(celli, level) - alpha[celli])
-            );
+            patch[i] = part(patch.patch().start() + i);
         }
-    );
-    miss.correctBoundaryConditions();
-    return min
-    (
-        max
-        (
-            (localMax<scalar>(mesh_).interpolate(miss) - none)/(all - none),
-            scalar(0)
-        ),
-        scalar(1)
-    );
+    }
+    return tresult;
 }

@@ -136,7 +136,11 @@ void Foam::phaseFraction::correct
 )
 {
     volScalarField& alpha = fluid_.alpha();
-    const surfaceScalarField limited(limitedFlux(F));
+    surfaceScalarField limited(limitedFlux(F));
+    if (fluid_.levels().isNeeded())
+    {
+        fluid_.levels().limit(F, alpha, limited);
+    }
     surfaceScalarField correction(limited - alphaPhi);
     if (continued_.isAny())
     {

@@ -5,6 +5,23 @@
 
 #include "cutCell.H"
 
+void Foam::cutCell::sort(scalar& low, scalar& middle, scalar& high)
+{
+    if (low > middle)
+    {
+        Swap(low, middle);
+    }
+    if (middle > high)
+    {
+        Swap(middle, high);
+    }
+    if (low > middle)
+    {
+        Swap(low, middle);
+    }
+}
+
+
 Foam::scalar Foam::cutCell::triangle::below(const scalar z) const
 {
     if (z <= low)
@@ -22,6 +39,19 @@ Foam::scalar Foam::cutCell::triangle::below(const scalar z) const
 }
 
 
+Foam::scalar Foam::cutCell::shareBelow
+(
+    scalar a,
+    scalar b,
+    scalar c,
+    const scalar height
+)
+{
+    sort(a, b, c);
+    return triangle{a, b, c, 0, 0}.below(height);
+}
+
+
 void Foam::cutCell::add
 (
     const point& a,
@@ -31,18 +61,7 @@ void Foam::cutCell::add
 )
 {
     scalar low = a & up, middle = b & up, high = c & up;
-    if (low > middle)
-    {
-        Swap(low, middle);
-    }
-    if (middle > high)
-    {
-        Swap(middle, high);
-    }
-    if (low > middle)
-    {
-        Swap(low, middle);
-    }
+    sort(low, middle, high);
     const vector S(0.5*((b - a) ^ (c - a)));
     triangles_.append({low, middle, high, a & S, up & S});
     low_ = min(low_, low);

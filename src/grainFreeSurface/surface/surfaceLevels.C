@@ -6,6 +6,7 @@
 #include "surfaceLevels.H"
 
 #include "cutCell.H"
+#include "wetFaces.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -69,6 +70,16 @@ void Foam::surfaceLevels::meshChanged()
 }
 
 
+Foam::scalar Foam::surfaceLevels::level
+(
+    const label celli,
+    const scalar share
+) const
+{
+    return cutCell(mesh_, celli, up_).level(share);
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::levels
 (
     const volScalarField& alpha
@@ -81,7 +92,7 @@ Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::levels
     volScalarField& result = tresult.ref();
     forAll(result, celli)
     {
-        result[celli] = cutCell(mesh_, celli, up_).level(alpha[celli]);
+        result[celli] = level(celli, alpha[celli]);
     }
     result.correctBoundaryConditions();
     return tresult;
@@ -95,6 +106,17 @@ Foam::scalar Foam::surfaceLevels::share
 ) const
 {
     return cutCell(mesh_, celli, up_).share(height);
+}
+
+
+void Foam::surfaceLevels::limit
+(
+    const surfaceScalarField& flux,
+    const volScalarField& alpha,
+    surfaceScalarField& alphaFlux
+) const
+{
+    limitToWetFaces(flux, levels(alpha), alpha, up_, alphaFlux);
 }
 
 

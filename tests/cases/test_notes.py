@@ -112,13 +112,14 @@ def test_users_own_programs_stay_in_front(tmp_path):
         if name in os.environ:
             clean[name] = os.environ[name]
     programs = "python3 git cmake grainFoam blockMesh wmake"
-    script = f". {root}/etc/bashrc && for p in {programs}; do command -v $p; done"
+    script = f"i=7; . {root}/etc/bashrc && for p in {programs}; do command -v $p; done; echo $i"
     done = subprocess.run(["bash", "-c", script], env=clean, capture_output=True, text=True)
     if "run etc/install first" in done.stderr:
         pytest.skip("another OpenFOAM is used here than that of etc/install")
     found = done.stdout.split()
     assert found[:3] == [str(mine / name) for name in ("python3", "git", "cmake")]
-    assert len(found) == 6
+    # A loop's variable of the user's, too
+    assert found[6:] == ["7"]
     assert found[3].startswith(f"{root}/platforms/")
 
 

@@ -76,8 +76,10 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
     }
     if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
     {
+        // For two steps and more, or for one if grains are so fast that pairs would become many
         const double way = dt * free_.largestSpeed;
-        const double skin = restSkin * meanRadius_ + std::max(4 * way, 2 * (way + dt * largestWallSpeed(dt)));
+        const double grains = std::min(4 * way, 2.2 * way + 0.2 * meanRadius_);
+        const double skin = restSkin * meanRadius_ + std::max(grains, 2 * (way + dt * largestWallSpeed(dt)));
         rebuildCandidates(grains_.position, grains_.orientation, skin,
                           gatherImpulses(candidates_, impulses_, communicator_));
         candidateWalls_ = wallBodies_;

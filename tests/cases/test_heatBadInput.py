@@ -84,6 +84,10 @@ TABLE = [
         swap(FLUID, KAPPA, "kappa [1 1 -3 0 0 0 0] 0.6;"),
         [FLUID, "'kappa'", "[1 1 -3 0 0 0 0]", "[1 1 -3 -1 0 0 0]"],
     ),
+    ("functionOfCp", swap(FLUID, CP, "Cp tables ((300 1) (400 2));"),
+     [FLUID, "'Cp'", "tables", "function of the temperature"]),
+    ("functionOfCpBelowZero", swap(FLUID, CP, "Cp polynomial ((400 0) (-1 1));"),
+     [FLUID, "'Cp'", "value 0 at 400 K", "> 0"]),
     ("functionOfKappa", swap(FLUID, KAPPA, "kappa tables ((300 1) (400 2));"),
      [FLUID, "'kappa'", "tables", "function of the temperature"]),
     ("functionBelowZero", swap(FLUID, KAPPA, "kappa polynomial ((-1 0));"),
@@ -171,6 +175,7 @@ TABLE = [
 
 VAPOUR = "vapour { D 1e-5; }"
 PSI = "0/psi"
+NO_FLUX = "{ type zeroGradient; }"
 
 TABLE_OF_VAPOUR = [
     ("noPsi", remove(PSI), [PSI]),
@@ -179,7 +184,7 @@ TABLE_OF_VAPOUR = [
     ("negativePsi", swap(PSI, "uniform 0.5", "uniform -0.1"),
      [PSI, "'internalField'", "value -0.1", "0 to 1"]),
     ("psiAboveOne",
-     swap(PSI, '|top" {', '" { type zeroGradient; } top { value uniform 1.5; type fixedValue; } "x" {'),
+     swap(PSI, '|top" {', f'" {NO_FLUX} top {{ type fixedValue; value uniform 1.5; }} x {{'),
      [PSI, "'boundaryField.top'", "value 1.5", "0 to 1"]),
     ("noD", swap(FLUID, "D 1e-5;", ""), [FLUID, "vapour", "'D'", "missing", "[0 2 -1 0 0 0 0]"]),
     ("negativeD", swap(FLUID, "D 1e-5;", "D -1;"), [FLUID, "vapour", "'D'", "value -1"]),

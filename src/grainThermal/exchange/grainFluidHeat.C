@@ -45,6 +45,7 @@ Foam::grainFluidHeat::grainFluidHeat
         fluid.kappa()
     )
 {
+    checkProperties(T);
     exchange.findShares();
     setOpenConductivity();
     if (resolved_.conducts())
@@ -61,6 +62,26 @@ Foam::grainFluidHeat::grainFluidHeat
         }
         grains.temperatures().setTemperatures(TGrain);
     }
+}
+
+
+void Foam::grainFluidHeat::checkProperties(const volScalarField& T) const
+{
+    scalar least = min(T).value(), most = max(T).value();
+    const auto see = [&](const scalar T)
+    {
+        least = min(least, T);
+        most = max(most, T);
+    };
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        see(grains_.temperatures().temperature(i));
+    }
+    if (fluid_.plates().coefficient() > 0)
+    {
+        see(fluid_.plates().temperature());
+    }
+    fluid_.checkRange(least, most);
 }
 
 

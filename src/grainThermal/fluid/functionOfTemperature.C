@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "ITstream.H"
+#include "StringStream.H"
 
 Foam::functionOfTemperature::functionOfTemperature
 (
@@ -18,16 +19,18 @@ Foam::functionOfTemperature::functionOfTemperature
     dict_(dict),
     keyword_(keyword)
 {
+    OStringStream unit;
+    unit << dims;
     const string allowed
     (
-        "a number > 0, or a function of the temperature: table, polynomial, ..."
+        "a number > 0 " + unit.str()
+      + ", or a function of the temperature: table, polynomial, ..."
     );
     if (!dict.found(keyword))
     {
         dictionaryInput::missing(dict, keyword, allowed);
     }
-    const ITstream& written = dict.lookup(keyword);
-    if (written.size() && written[0].isWord())
+    if (isFunction(dict, keyword))
     {
         const auto read = [&] { function_ = Function1<scalar>::New(keyword, dict); };
         if (dictionaryInput::errorOf(read).size())
@@ -45,6 +48,21 @@ Foam::functionOfTemperature::functionOfTemperature
         constant.add(keyword, value);
         function_ = Function1<scalar>::New(keyword, constant);
     }
+}
+
+
+bool Foam::functionOfTemperature::isFunction
+(
+    const dictionary& dict,
+    const word& keyword
+)
+{
+    if (!dict.found(keyword))
+    {
+        return false;
+    }
+    const ITstream& written = dict.lookup(keyword);
+    return written.size() && written[0].isWord();
 }
 
 

@@ -39,6 +39,16 @@ dimensionedScalar reference(const dictionary& dict)
     );
 }
 
+
+//- Null for a number
+autoPtr<enthalpy> varyingCapacity(const dictionary& dict)
+{
+    return
+        functionOfTemperature::isFunction(dict, "Cp")
+      ? autoPtr<enthalpy>(new enthalpy(dict))
+      : autoPtr<enthalpy>();
+}
+
 }
 
 
@@ -55,10 +65,15 @@ Foam::thermalFluid::thermalFluid
         U, phiU, keywords(), plateHeat::keywords()
     ),
     T_(T),
+    enthalpy_(varyingCapacity(properties())),
     capacity_
     (
         dictionaryInput::getPositive(properties(), "rho", dimDensity)
-       *dictionaryInput::getPositive(properties(), "Cp", dimHeatCapacity)
+       *(
+            enthalpy_
+          ? enthalpy_->capacity(enthalpy::T0)
+          : dictionaryInput::getPositive(properties(), "Cp", dimHeatCapacity)
+        )
     ),
     kappaOfT_(properties(), "kappa", dimConductivity),
     beta_(expansion(properties())),
@@ -137,10 +152,51 @@ Foam::tmp<Foam::volScalarField> Foam::thermalFluid::kappaEff() const
     {
         return tmp<volScalarField>(kappa_);
     }
-    return
-        kappa_
-      + dimensionedScalar
-        (
-            "C", kappa_.dimensions()/dimViscosity, capacity_/Prt_
-        )*(*nut());
+    volScalarField C
+    (
+        IOobject("C", T_.time().timeName(), T_.mesh()),
+        T_.mesh(),
+        dimensionedScalar("C", kappa_.dimensions()/dimViscosity, capacity_)
+    );
+    if (enthalpy_)
+    {
+        const auto set = [&](const scalarField& T, scalarField& C)
+        {
+            forAll(C, i)
+            {
+                C[i] *= enthalpy_->slope(T[i]);
+            }
+        };
+        set(T_.primitiveField(), C.primitiveFieldRef());
+        forAll(T_.boundaryField(), patchi)
+        {
+            set(T_.boundaryField()[patchi], C.boundaryFieldRef()[patchi]);
+        }
+    }
+    return kappa_ + C/Prt_*(*nut());
+}
+
+
+Foam::scalar Foam::thermalFluid::capacity(const label celli) const
+{
+    return enthalpy_ ? capacity_*enthalpy_->slope(T_[celli]) : capacity_;
+}
+
+
+void Foam::thermalFluid::checkRange(const scalar least, const scalar most) const
+{
+    const label steps = 1 + label(min(most - least, scalar(10000)));
+    for (label i = 0; i <= steps; ++i)
+    {
+        const scalar T = least + i*(most - least)/steps;
+        kappaOfT_.at(T);
+        if (muOfT_)
+        {
+            muOfT_->at(T);
+        }
+        if (enthalpy_)
+        {
+            enthalpy_->capacity(T);
+        }
+    }
 }

@@ -42,8 +42,7 @@ Foam::scalar Foam::heatLedger::wallHeat() const
 
 void Foam::heatLedger::startStep(const transportFlux& flux)
 {
-    fluidHeat_ = fluid_.capacity()
-       *gSum(flux.oldVolume()*heat_.T().primitiveField());
+    fluidHeat_ = heat_.heat(flux.oldVolume(), fluid_);
     grainHeat_ = grains_.motion().tally().heat;
 }
 

@@ -45,6 +45,7 @@ Foam::fluidScalar::fluidScalar
         ),
         mesh
     ),
+    held_(nullptr),
     unaccounted_(0),
     carriedOut_(mesh.boundary().size(), Zero),
     diffusedOut_(mesh.boundary().size(), Zero),
@@ -74,6 +75,11 @@ void Foam::fluidScalar::beforeMeshChange(const transportFlux& flux)
         )
     );
     *content_ == flux.fraction()*T_;
+    if (held_)
+    {
+        content_->primitiveFieldRef() =
+            flux.fraction().primitiveField()*content(T_.primitiveField());
+    }
 }
 
 
@@ -83,6 +89,10 @@ void Foam::fluidScalar::meshChanged(const transportFlux& flux)
     {
         T_.primitiveFieldRef() =
             content_().primitiveField()/flux.fraction().primitiveField();
+        if (held_)
+        {
+            T_.primitiveFieldRef() = held_->value(T_.primitiveField());
+        }
     }
     T_.correctBoundaryConditions();
     content_.clear();
@@ -91,7 +101,19 @@ void Foam::fluidScalar::meshChanged(const transportFlux& flux)
 
 Foam::scalar Foam::fluidScalar::integral(const transportFlux& flux) const
 {
-    return gSum(flux.volume()*T_.primitiveField());
+    return integral(flux.volume());
+}
+
+
+Foam::scalar Foam::fluidScalar::integral(const scalarField& volume) const
+{
+    return gSum(volume*content(T_.primitiveField()));
+}
+
+
+Foam::scalarField Foam::fluidScalar::content(const scalarField& T) const
+{
+    return held_ ? held_->of(T) : T;
 }
 
 
@@ -115,7 +137,7 @@ void Foam::fluidScalar::addOutflow
         if (!T.coupled())
         {
             carriedOut_[patchi] +=
-                time*gSum(flux.boundaryField()[patchi]*T);
+                time*gSum(flux.boundaryField()[patchi]*content(T));
             diffusedOut_[patchi] -=
                 time
                *gSum
@@ -138,6 +160,52 @@ void Foam::fluidScalar::carry
 }
 
 
+Foam::fvScalarMatrix Foam::fluidScalar::transport
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& conductivity
+) const
+{
+    const word& name = T_.name();
+    tmp<fvScalarMatrix> carried
+    (
+        fvm::div(flux, T_, "div(" + flux.name() + ',' + name + ')')
+    );
+    if (held_)
+    {
+        held_->transport(carried.ref(), flux, T_);
+    }
+    return fvScalarMatrix
+    (
+        carried
+      - fvm::laplacian(conductivity, T_, "laplacian(D," + name + ')')
+    );
+}
+
+
+void Foam::fluidScalar::solve(fvScalarMatrix& equation, bodyExchange* bodies)
+{
+    const dictionary& controls = T_.mesh().solverDict(T_.name());
+    const solverPerformance done
+    (
+        bodies
+      ? cellsAndBodies(equation, *bodies).solve(controls)
+      : equation.solve(controls)
+    );
+    if (!done.converged() && !(done.finalResidual() < 1e-6))
+    {
+        FatalErrorInFunction
+            << "The solution of " << T_.name() << " at time "
+            << T_.time().timeName() << " does not converge: residual "
+            << done.finalResidual() << " after " << done.nIterations()
+            << " iterations" << nl
+            << "    allowed: another solver, or more iterations, of '"
+            << T_.name() << "' in system/fvSolution; a run continues from the"
+            << " last complete time" << exit(FatalError);
+    }
+}
+
+
 void Foam::fluidScalar::carry
 (
     const transportFlux& flux,
@@ -146,78 +214,90 @@ void Foam::fluidScalar::carry
     bodyExchange* bodies
 )
 {
-    const fvMesh& mesh = T_.mesh();
-    const scalarField& V = mesh.V().field();
-    const scalar deltaT = mesh.time().deltaTValue();
+    const scalarField& V = T_.mesh().V().field();
+    const scalar deltaT = T_.time().deltaTValue();
     const surfaceScalarField& F = flux.flux();
 
-    const fvScalarMatrix transport
+    autoPtr<fvScalarMatrix> leaving
     (
-        fvm::div(F, T_, "div(" + F.name() + ',' + T_.name() + ')')
-      - fvm::laplacian(conductivity, T_, "laplacian(D," + T_.name() + ')')
+        new fvScalarMatrix(transport(F, conductivity))
     );
-    const auto leaving = [&]()
+    const auto left = [&]()
     {
-        return scalarField((transport & T_)().primitiveField()*V);
+        return scalarField((*leaving & T_)().primitiveField()*V);
     };
-    const scalarField atBeginning((1 - endShare_)*leaving());
+    const scalarField atBeginning((1 - endShare_)*left());
     carriedOut_ = Zero;
     diffusedOut_ = Zero;
     addOutflow(F, conductivity, 1 - endShare_);
 
-    const scalarField& oldVolume = flux.oldVolume();
+    const scalarField before
+    (
+        flux.oldVolume()*content(T_.primitiveField())
+    );
     const scalarField source(flux.source()*V);
-    scalarField gained((1 - endShare_)*source*T_.primitiveField());
+    scalarField gained((1 - endShare_)*source*content(T_.primitiveField()));
     if (exchange.given.size())
     {
         gained += exchange.given*V;
     }
-    scalarField lost(-endShare_*source);
+    const scalarField holding(flux.volume()/deltaT - endShare_*source);
+    scalarField lost(T_.size(), Zero);
     if (exchange.coefficient.size())
     {
-        lost += exchange.coefficient*V;
+        lost = exchange.coefficient*V;
     }
+    unaccounted_ = -gSum(before);
+    broughtIn_ = (1 - endShare_)*gSum(source*content(T_.primitiveField()));
 
-    fvScalarMatrix TEqn(dimensionedScalar("endShare", dimless, endShare_)*transport);
-    TEqn.diag() += flux.volume()/deltaT + lost;
-    TEqn.source() +=
-        oldVolume/deltaT*T_.primitiveField() + gained - atBeginning;
+    // Newton's method; once where the content is the value
+    const label most = held_ ? 20 : 1;
+    for (label i = 0; i < most; ++i)
+    {
+        if (i > 0)
+        {
+            leaving.reset(new fvScalarMatrix(transport(F, conductivity)));
+        }
+        const scalarField last(T_.primitiveField());
+        const scalarField H(content(last));
+        const scalarField c
+        (
+            held_ ? held_->slope(last) : scalarField(T_.size(), 1)
+        );
+        fvScalarMatrix TEqn
+        (
+            dimensionedScalar("endShare", dimless, endShare_)*leaving()
+        );
+        TEqn.diag() += holding*c + lost;
+        TEqn.source() += before/deltaT + gained - atBeginning;
+        if (held_)
+        {
+            TEqn.source() -= holding*(H - c*last);
+        }
+        solve(TEqn, bodies);
 
-    unaccounted_ = -gSum(oldVolume*T_.primitiveField());
-    broughtIn_ = (1 - endShare_)*gSum(source*T_.primitiveField());
-    const dictionary& controls = mesh.solverDict(T_.name());
-    const solverPerformance done
-    (
-        bodies
-      ? cellsAndBodies(TEqn, *bodies).solve(controls)
-      : TEqn.solve(controls)
-    );
+        const scalarField& T = T_.primitiveField();
+        if (held_ && gMax(mag(content(T) - H - c*(T - last))/mag(H)) < 1e-14)
+        {
+            break;
+        }
+    }
     scalarField fromBodies(T_.size(), Zero);
     if (bodies)
     {
         bodies->addToCells(bodies->values(), fromBodies);
     }
-    if (!done.converged() && !(done.finalResidual() < 1e-6))
-    {
-        FatalErrorInFunction
-            << "The solution of " << T_.name() << " at time "
-            << mesh.time().timeName() << " does not converge: residual "
-            << done.finalResidual() << " after " << done.nIterations()
-            << " iterations" << nl
-            << "    allowed: another solver, or more iterations, of '"
-            << T_.name() << "' in system/fvSolution; a run continues from the"
-            << " last complete time" << exit(FatalError);
-    }
 
+    const scalarField H(content(T_.primitiveField()));
     unaccounted_ +=
-        integral(flux)
+        gSum(flux.volume()*H)
       + deltaT
        *gSum
         (
-            endShare_*leaving() + lost*T_.primitiveField()
+            endShare_*left() - endShare_*source*H + lost*T_.primitiveField()
           + atBeginning - gained - fromBodies
         );
     addOutflow(F, conductivity, endShare_);
-    broughtIn_ += endShare_*gSum(source*T_.primitiveField());
+    broughtIn_ += endShare_*gSum(source*H);
     broughtIn_ *= deltaT;
 }

@@ -38,10 +38,11 @@ def places(rng, dimension, n, radius):
 
 
 def random_box(clone, rng, dimension, steps):
-    cells = int(rng.choice([10, 20, 30] if dimension == 2 else [6, 9, 12]))
+    size = spread(rng, 0.2, 10)
+    cells = max(10 if dimension == 2 else 5, int(1.6 * size))
     h = SIDE / cells
-    radius = min(0.5 * h * spread(rng, 0.2, 10), SIDE / 3)
-    n = int(min(30, max(1, 0.3 * (SIDE / 2 / radius) ** dimension)))
+    radius = 0.5 * h * size
+    n = int(min(20, max(1, 0.3 * (SIDE / 2 / radius) ** dimension)))
     centres = places(rng, dimension, n, radius)
 
     rho, cp, kappa = (value * spread(rng, 1e-3, 1e3) for value in (RHO, CP, KAPPA))

@@ -6,10 +6,9 @@
 #include "grainFields.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "exactOverlaps.H"
 #include "functionKeywords.H"
-#include "grainMotion.H"
 #include "grainSpace.H"
-#include "periodicCells.H"
 
 namespace Foam
 {
@@ -72,23 +71,7 @@ bool Foam::functionObjects::grainFields::execute()
     const grainMotion& grains =
         refCast<const grainMotion>(grainView::of(mesh_, name()));
 
-    const autoPtr<grainCells> cells(periodicCells::New(grains.cells()));
-    const grainBodies bodies(grains.bodies());
-    overlapList overlaps;
-    overlaps.clear();
-    for (label graini = 0; graini < bodies.size(); ++graini)
-    {
-        const SubList<grainMember> members(bodies.members(graini));
-        if (members.size() == 1)
-        {
-            cells->appendOverlaps(members[0], -1, overlaps);
-        }
-        else
-        {
-            cells->appendOverlaps(members, bodies.centre[graini], overlaps);
-        }
-        overlaps.endGrain();
-    }
+    const overlapList overlaps(exactOverlaps(grains));
 
     scalarField volume(mesh_.nCells(), Zero);
     vectorField flow(mesh_.nCells(), Zero);

@@ -1,7 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bed as it bubbles and cools, its mean temperature and its mean motion (snapshots/)."""
+"""The bed as it bubbles and cools, its mean temperature and its mean motion (snapshots/).
 
+Usage: plot.py [-compare]      -compare: mean temperatures of all folders bed_<g>_<m/s>
+"""
+
+import re
+import sys
 from pathlib import Path
 
 import grainplot
@@ -12,13 +17,22 @@ WIDTH, HEIGHT, GAP = 0.08, 0.25, 0.015  # [m]
 COLD, HOT = 20.0, 90.0  # [degrees C]
 CELLS = (16, 24)  # of the means, in the lower 0.12 m
 TOP = 0.12
-# Cooling times [s] of a bed of one temperature at 1.54 m/s: by the gas alone, and by the plates and
-# side walls, too, as far as the static bed wets them
-GAS, WALLS = 28.03, 12.55
+# Cooling time [s] of a bed of one temperature, 75 g, at 1.54 m/s by the gas alone; and what plates
+# and side walls add to its inverse as far as the static bed wets them: for any mass
+GAS, WALLS = 28.03, 1 / 12.55 - 1 / 28.03
 
 
-def ledger():
-    file = Path("postProcessing/heatLedger/0/heatLedger.csv")
+def cooling_times(folder="."):
+    """By the gas alone, and with the walls; of the mass and the speed of a folder."""
+    packing, U = (Path(folder, file).read_text() for file in ("system/packGrainsDict", "0/U"))
+    height = float(re.search(r"box +\(0 0 0\) \(0.08 (\S+) 0\)", packing)[1])
+    speed = float(re.search(r"value +uniform \(0 (\S+) 0\)", U)[1])
+    gas = GAS * height / 0.0375 * 1.54 / speed
+    return gas, 1 / (1 / gas + WALLS)
+
+
+def ledger(folder="."):
+    file = Path(folder, "postProcessing/heatLedger/0/heatLedger.csv")
     return np.genfromtxt(file, delimiter=",", names=True)
 
 
@@ -43,7 +57,8 @@ def cooling():
     time, T = book["time"], book["meanGrainT"] - 273.15
     figure, ax = plt.subplots(figsize=(6, 4), layout="constrained")
     ax.plot(time, T, label="grains, mean")
-    for tau, style, name in ((GAS, "k--", "gas"), (WALLS, "k:", "gas and walls of the static bed")):
+    gas, walls = cooling_times()
+    for tau, style, name in ((gas, "k--", "gas"), (walls, "k:", "gas and walls of the static bed")):
         ax.plot(time, COLD + (HOT - COLD) * np.exp(-time / tau), style, label=f"0-D: {name}")
     ax.set(xlabel="t [s]", ylabel="temperature [C]", ylim=(COLD, HOT))
     ax.legend()
@@ -78,7 +93,34 @@ def motion(times):
     plt.close(figure)
 
 
+def compare():
+    """All beds that are done in one figure, and what they have lost after some times."""
+    figure, ax = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    print(f"{'bed':16} {'of 70 K after 1, 2, 5, 10 s':32} initial slope and those in 0-D [K/s]")
+    for folder in sorted(Path(".").glob("bed_*_*")):
+        if not (folder / "done").exists():
+            continue
+        book = ledger(folder)
+        time, T = book["time"], book["meanGrainT"] - 273.15
+        mass, speed = folder.name.split("_")[1:]
+        ax.plot(time, T, "--" if mass == "125" else "-", label=f"{mass} g, {speed} m/s")
+        left = [np.interp(t, time, T) - COLD if t <= time[-1] else np.nan for t in (1, 2, 5, 10)]
+        first = time <= 1
+        slope = -np.polyfit(time[first], T[first], 1)[0]
+        gas, walls = ((HOT - COLD) / tau for tau in cooling_times(folder))
+        parts = "".join(f"{value:8.2f}" for value in left)
+        print(f"{folder.name:16} {parts} {slope:8.2f} ({gas:.2f}, {walls:.2f})")
+    ax.set(xlabel="t [s]", ylabel="mean temperature of the grains [C]")
+    ax.legend()
+    Path("snapshots").mkdir(exist_ok=True)
+    figure.savefig("snapshots/beds.png", dpi=110)
+    plt.close(figure)
+
+
 def main():
+    if "-compare" in sys.argv[1:]:
+        compare()
+        return
     Path("snapshots").mkdir(exist_ok=True)
     times = [time for time in grainplot.times(".") if float(time) > 0]
     sheet(times[:: max(len(times) // 6, 1)][:6])

@@ -86,6 +86,13 @@ void Foam::twoFluids::correctSurface()
 }
 
 
+void Foam::twoFluids::keepTension()
+{
+    keptTension_.clear();
+    keptTension_ = mixture_.surfaceTensionForce();
+}
+
+
 void Foam::twoFluids::correct()
 {
     mixture_.alpha2() = 1.0 - alpha();
@@ -110,7 +117,11 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::faceForce() const
     }
     return
         weight_.force(rho_, heights())
-      - mixture_.surfaceTensionForce()*mesh_.magSf();
+      - (
+            keptTension_.valid()
+          ? tmp<surfaceScalarField>(keptTension_())
+          : mixture_.surfaceTensionForce()
+        )*mesh_.magSf();
 }
 
 

@@ -15,24 +15,25 @@
 Foam::continuedFraction::continuedFraction
 (
     const surfaceLevels& levels,
-    const fvMesh& mesh,
+    const grainSystem& grains,
     const vector& g
 )
 :
-    mesh_(mesh),
+    mesh_(grains.mesh()),
     levels_(levels),
+    wetting_(grains),
     down_(mag(g) > SMALL ? g/mag(g) : vector(Zero)),
     carried_
     (
         IOobject
         (
             "alphaOfCovered",
-            mesh.time().timeName(),
-            mesh,
+            mesh_.time().timeName(),
+            mesh_,
             IOobject::READ_IF_PRESENT,
             IOobject::NO_WRITE
         ),
-        mesh,
+        mesh_,
         dimensionedScalar("none", dimless, -1),
         zeroGradientFvPatchScalarField::typeName
     ),
@@ -105,6 +106,16 @@ void Foam::continuedFraction::findCovered
         }
     }
     covered_.transfer(covered);
+
+    DynamicList<label> cut;
+    forAll(open, celli)
+    {
+        if (open[celli] < 0.5 || eps[celli] < 1 - SMALL)
+        {
+            cut.append(celli);
+        }
+    }
+    cut_.transfer(cut);
     isAny_ = returnReduce(covered_.size() > 0, orOp<bool>());
 
     carried_.writeOpt() = isAny_ ? IOobject::AUTO_WRITE : IOobject::NO_WRITE;
@@ -192,30 +203,43 @@ void Foam::continuedFraction::keep(const volScalarField& alpha)
 }
 
 
-void Foam::continuedFraction::solveCovered(fvScalarMatrix& equation) const
+void Foam::continuedFraction::solveIn
+(
+    const boolList& isIn,
+    dictionary controls,
+    fvScalarMatrix& equation
+) const
 {
     const scalarField& given = equation.psi().primitiveField();
-    labelList open(mesh_.nCells() - covered_.size());
-    scalarField values(open.size());
-    label openi = 0, coveredi = 0;
+    DynamicList<label> others(mesh_.nCells());
+    DynamicList<scalar> values(mesh_.nCells());
     forAll(given, celli)
     {
-        if (coveredi < covered_.size() && covered_[coveredi] == celli)
+        if (!isIn[celli])
         {
-            ++coveredi;
-            continue;
+            others.append(celli);
+            values.append(given[celli]);
         }
-        open[openi] = celli;
-        values[openi++] = given[celli];
     }
-    equation.setValues(open, values);
+    equation.setValues(others, values);
 
-    dictionary controls;
-    controls.add("solver", "PCG");
-    controls.add("preconditioner", "DIC");
     controls.add("tolerance", 1e-13);
     controls.add("relTol", 0);
     equation.solve(controls);
+}
+
+
+void Foam::continuedFraction::solveCovered(fvScalarMatrix& equation) const
+{
+    boolList isCovered(mesh_.nCells(), false);
+    for (const label celli : covered_)
+    {
+        isCovered[celli] = true;
+    }
+    dictionary controls;
+    controls.add("solver", "PCG");
+    controls.add("preconditioner", "DIC");
+    solveIn(isCovered, controls, equation);
 }
 
 
@@ -271,6 +295,10 @@ void Foam::continuedFraction::apply(volScalarField& alpha) const
     if (levels_.isNeeded())
     {
         continueLevels(alpha, continued);
+    }
+    if (wetting_.isAny())
+    {
+        continueAngles(covered_, continued);
     }
     for (const label celli : covered_)
     {

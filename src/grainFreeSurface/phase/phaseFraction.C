@@ -18,13 +18,14 @@
 Foam::phaseFraction::phaseFraction
 (
     twoFluids& fluid,
+    const grainSystem& grains,
     const volScalarField& eps,
     const volScalarField& locked,
     const dimensionedVector& g
 )
 :
     fluid_(fluid),
-    continued_(fluid.levels(), eps.mesh(), g.value()),
+    continued_(fluid.levels(), grains, g.value()),
     nCorr_(readControl(fluid.alpha(), "nAlphaCorr", 1)),
     nSubCycles_(readControl(fluid.alpha(), "nAlphaSubCycles", 1)),
     liquid_(0),
@@ -38,7 +39,7 @@ Foam::phaseFraction::phaseFraction
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps, locked);
     fluid.correct();
-    fluid.correctSurface();
+    continued_.correctSurface(fluid);
 }
 
 
@@ -189,7 +190,7 @@ void Foam::phaseFraction::advance
     continued_.apply(alpha);
     for (label i = 0; i < nCorr_; ++i)
     {
-        fluid_.correctSurface();
+        continued_.correctSurface(fluid_);
         correct(flux.flux(), fraction, deltaT, i == 0 ? 1 : 0.5, alphaPhi);
     }
     fluid_.correct();
@@ -245,7 +246,7 @@ void Foam::phaseFraction::carry
 
     // A contact angle and the fraction at its wall follow each other: as often as
     // in interFoam
-    fluid_.correctSurface();
+    continued_.correctSurface(fluid_);
 
     liquid_ = continued_.liquid(alpha, end);
     broughtIn_ = gSum(filled*mesh.V().field());
@@ -302,4 +303,5 @@ void Foam::phaseFraction::meshChanged
     alpha.correctBoundaryConditions();
     content_.clear();
     fluid_.correct();
+    continued_.correctSurface(fluid_);
 }

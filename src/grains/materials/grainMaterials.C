@@ -34,8 +34,8 @@ Foam::grainMaterials::grainMaterials(const dictionary& dict)
         (
             material,
             {
-                "density", "conductivity", "emissivity", "heatCapacity",
-                "youngsModulus", "poissonRatio"
+                "density", "contactAngle", "conductivity", "emissivity",
+                "heatCapacity", "youngsModulus", "poissonRatio"
             }
         );
         density_[i] =

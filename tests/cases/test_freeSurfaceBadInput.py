@@ -7,6 +7,7 @@ from water_box import level, water_box
 
 TRANSPORT = "constant/transportProperties"
 SOLUTION = "system/fvSolution"
+GRAINS = "constant/grainProperties"
 
 
 def swap(file, old, new):
@@ -72,6 +73,22 @@ INPUTS = {
             "type constantAlphaContactAngle; theta0 190; limit gradient; value uniform 0;",
         ),
         ["0/alpha.water", "'theta0'", "value 190", "0 to 180"],
+    ),
+    "contact angle of grains": (
+        swap(GRAINS, "density 2500;", "density 2500; contactAngle 190;"),
+        [f"{GRAINS}.materials.glass", "'contactAngle'", "value 190", "0", "180"],
+    ),
+    "contact angle of grains that is no number": (
+        swap(GRAINS, "density 2500;", "density 2500; contactAngle steep;"),
+        [f"{GRAINS}.materials.glass", "'contactAngle'", "value steep"],
+    ),
+    "negative contact angle of walls": (
+        swap(
+            "0/alpha.water",
+            "type zeroGradient;",
+            "type constantAlphaContactAngle; theta0 -1; limit gradient; value uniform 0;",
+        ),
+        ["0/alpha.water", "'theta0'", "value -1", "0 to 180"],
     ),
     "explicit MULES": (
         swap(SOLUTION, "MULESCorr yes", "MULESCorr no"),

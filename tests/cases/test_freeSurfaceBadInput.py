@@ -106,6 +106,10 @@ INPUTS = {
         swap(SOLUTION, "PIMPLE\n{", "PIMPLE\n{\n nOuterCorrectors 2;"),
         [SOLUTION, "'nOuterCorrectors'", "value 2"],
     ),
+    "closing of momentum": (
+        swap(SOLUTION, "PIMPLE\n{", "PIMPLE\n{\n closeMomentum often;"),
+        [SOLUTION, "'closeMomentum'", "value often", "yes", "no"],
+    ),
     "second order in time": (
         swap("system/fvSchemes", "default         Euler", "default         backward"),
         ["system/fvSchemes", "'default'", "value backward", "Euler"],

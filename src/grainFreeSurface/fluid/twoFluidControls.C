@@ -14,10 +14,12 @@ void Foam::checkTwoFluidControls(const fvMesh& mesh)
 {
     checkPISO
     (
-        mesh.solutionDict(), {"nOuterCorrectors", "correctPhi"}, "PIMPLE"
+        mesh.solutionDict(), {"nOuterCorrectors", "correctPhi", "closeMomentum"},
+        "PIMPLE"
     );
     const dictionary& dict = mesh.solutionDict().subDict("PIMPLE");
     dictionaryInput::getLabelOrDefault(dict, "nOuterCorrectors", 1, 1, 1);
+    dictionaryInput::getWordOrDefault(dict, "closeMomentum", "no", {"yes", "no"});
 
     refuseFiles(mesh.time(), {"MRFProperties"});
     requireDictionaries

@@ -39,6 +39,16 @@ public:
     bool isOver() const { return isOver_; }
 };
 
+
+//- Is this the last correction of a step that ends with an equation of momentum
+//  that is solved?
+bool isClosing(const Foam::pimpleControl& control)
+{
+    return
+        control.corrPISO() == control.nCorrPISO()
+     && control.dict().getOrDefault("closeMomentum", false);
+}
+
 }
 
 
@@ -180,7 +190,16 @@ void Foam::vansFlow::correct(pimpleControl& control)
     const volVectorField force(pressureForce(gradient()));
     gradP_ = force/step_->share;
 
-    U = (H - force)/UEqn_->A();
+    if (isClosing(control) && !resolved_.isActive())
+    {
+        // With neighbours as they are in the end: what they give each other adds up
+        // to nothing
+        solve(*UEqn_ == -force);
+    }
+    else
+    {
+        U = (H - force)/UEqn_->A();
+    }
     resolved_.correctMotion(U, fields_.phiAlpha, step_->betaf);
     U.correctBoundaryConditions();
     options_.correct(U);

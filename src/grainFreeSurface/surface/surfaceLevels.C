@@ -43,7 +43,23 @@ Foam::surfaceLevels::surfaceLevels(const fvMesh& mesh, const vector& g)
     mesh_(mesh),
     up_(mag(g) > SMALL ? -g/mag(g) : vector(Zero)),
     isNeeded_(!isAlongGravity())
-{}
+{
+    findEnds();
+}
+
+
+void Foam::surfaceLevels::findEnds()
+{
+    const label nCells = isNeeded_ ? mesh_.nCells() : 0;
+    lowest_.resize(nCells);
+    highest_.resize(nCells);
+    forAll(lowest_, celli)
+    {
+        const cutCell cell(mesh_, celli, up_);
+        lowest_[celli] = cell.level(0);
+        highest_[celli] = cell.level(1);
+    }
+}
 
 
 bool Foam::surfaceLevels::isAlongGravity() const
@@ -67,6 +83,7 @@ bool Foam::surfaceLevels::isAlongGravity() const
 void Foam::surfaceLevels::meshChanged()
 {
     isNeeded_ = !isAlongGravity();
+    findEnds();
 }
 
 
@@ -76,7 +93,10 @@ Foam::scalar Foam::surfaceLevels::level
     const scalar share
 ) const
 {
-    return cutCell(mesh_, celli, up_).level(share);
+    return
+        share <= 0 ? lowest_[celli]
+      : share >= 1 ? highest_[celli]
+      : cutCell(mesh_, celli, up_).level(share);
 }
 
 

@@ -201,8 +201,10 @@ void Foam::transportFlux::set
     const scalarField& weight
 )
 {
-    // Of the volume of a cell, or of the fluid in it
-    const scalar tolerance = tracks_ ? 1e-7 : 1e-12;
+    // Of the volume of a cell, or of the fluid in it.  Where no grain is, all of it
+    // is what the pressure has left of divergence.
+    const bool isAlone = !mesh_.moving() && gMin(eps_.primitiveField()) >= 1;
+    const scalar tolerance = tracks_ ? (isAlone ? 1e-5 : 1e-7) : 1e-12;
 
     fraction_.oldTime();
     fraction_ == eps_ + least;

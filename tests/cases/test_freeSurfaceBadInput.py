@@ -3,6 +3,8 @@
 """Two fluids: bad input is answered with file, keyword, value and what is allowed."""
 
 import pytest
+from moving_mesh import write
+from test_movingSurface import REFINEMENT
 from water_box import level, water_box
 
 TRANSPORT = "constant/transportProperties"
@@ -25,6 +27,10 @@ def turbulent(case):
         "FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"
         "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; }\n"
     )
+
+
+def refined(case):
+    write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
 
 
 INPUTS = {
@@ -113,6 +119,10 @@ INPUTS = {
     "second order in time": (
         swap("system/fvSchemes", "default         Euler", "default         backward"),
         ["system/fvSchemes", "'default'", "value backward", "Euler"],
+    ),
+    "refinement in two dimensions": (
+        refined,
+        ["constant/dynamicMeshDict", "'dynamicFvMesh'", "value dynamicRefineFvMesh", "gmsh"],
     ),
     "turbulence": (turbulent, ["turbulenceProperties", "laminar"]),
     "another void fraction": (

@@ -10,6 +10,39 @@
 #include "fvMesh.H"
 #include "vansTurbulence.H"
 
+namespace
+{
+
+//- Cells would be divided in the direction that the mesh does not have
+void refuseRefinementInPlane(const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+    IOobject io
+    (
+        "dynamicMeshDict", mesh.time().constant(), mesh,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (mesh.nGeometricD() == 3 || !io.typeHeaderOk<IOdictionary>(true))
+    {
+        return;
+    }
+    const IOdictionary dict(io);
+    const word keyword("dynamicFvMesh");
+    const word type(dict.getOrDefault<word>(keyword, word::null));
+    if (type.find("Refine") != std::string::npos)
+    {
+        dictionaryInput::badValue
+        (
+            dict, keyword, type,
+            "refinement of meshes that are more than one cell thick; for others"
+            " a graded mesh, or one of gmsh"
+        );
+    }
+}
+
+}
+
+
 void Foam::checkTwoFluidControls(const fvMesh& mesh)
 {
     checkPISO
@@ -26,6 +59,7 @@ void Foam::checkTwoFluidControls(const fvMesh& mesh)
     (
         mesh.time(), {"turbulenceProperties", "fvOptions", "dynamicMeshDict"}
     );
+    refuseRefinementInPlane(mesh);
     if (vansTurbulence::isSelected(mesh))
     {
         FatalErrorInFunction

@@ -3,7 +3,17 @@
 """What grainDropletFoam refuses before the first step, and what it says."""
 
 import pytest
-from droplet_box import ANTOINE, BOILING, DROPLETS, GAS, make_gas, open_top, with_droplets
+from droplet_box import (
+    ANTOINE,
+    BOILING,
+    DROPLETS,
+    FLUID,
+    GAS,
+    GAS_CP,
+    make_gas,
+    open_top,
+    with_droplets,
+)
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
 
@@ -79,6 +89,10 @@ BAD = {
         "(Antoine ClausiusClapeyron)",
     ),
     "no pressure": (add(ANTOINE.format(pressure=0, temperature=300)), "'pressure'"),
+    "capacity of the gas": (
+        lambda case: replace(case, FLUID, f"Cp {GAS_CP};", "Cp polynomial ((1000 0));"),
+        "a number > 0, as grainDropletFoam",
+    ),
     "late outside": (late("0.5,0.5,0.005,0.02\n"), "outside the mesh"),
     "late without time": (add("releases { r { droplets { type csv; } } }"), "'time'"),
     "late unknown": (add("releases { r { time 1; when 2; } }"), "'when'"),

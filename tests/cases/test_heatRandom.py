@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random grains in random fluids: T and psi stay in their range, heat and vapour are kept.
 
-Discs and spheres of 0.2 to 10 cells that move and collide; ratios of the grains' density, heat
-capacity and conductivity to the fluid's between 1e-3 and 1e3; steps of 1e-3 to 1e3 times the time
-in which the fluid would warm a grain.  Whole: 1e5 steps in 250 boxes.
+Discs and spheres of 0.2 to 10 cells that move and collide; ratios of the grains' density (of 1 and
+more from 4 cells on), heat capacity and conductivity to the fluid's between 1e-3 and 1e3; steps of
+1e-3 to 1e3 times the time in which the fluid would warm a grain.  Whole: 1e5 steps in 250 boxes.
 """
 
 import re
@@ -45,7 +45,10 @@ def random_box(clone, rng, dimension, steps):
     n = int(min(20, max(1, 0.3 * (SIDE / 2 / radius) ** dimension)))
     centres = places(rng, dimension, n, radius)
 
-    rho, cp, kappa = (value * spread(rng, 1e-3, 1e3) for value in (RHO, CP, KAPPA))
+    # The motion of light grains with the flow resolved around them is not stable
+    lightest = 1 if size >= 4 else 1e-3
+    rho = RHO / spread(rng, lightest, 1e3)
+    cp, kappa = CP * spread(rng, 1e-3, 1e3), KAPPA * spread(rng, 1e-3, 1e3)
     # Conduction of a sphere in a fluid at rest: Nu = 2
     deltaT = spread(rng, 1e-3, 1e3) * RHO * CP * (2 * radius) ** 2 / (12 * kappa)
     speed = 0.2 * h / deltaT
@@ -100,9 +103,12 @@ def assert_bounded_and_kept(case):
         assert book[name].min() >= COLD - tolerance
     for name in ("mostT", "mostGrainT"):
         assert book[name].max() <= HOT + tolerance
-    resolved = re.search(r"grains: ([0-9]+) resolved", case.log)
+    resolved = int(re.search(r"grains: ([0-9]+) resolved", case.log)[1])
+    left = sum(book[name] for name in book if name.startswith(("convected_", "conducted_")))
+    missing = np.diff(book["fluidHeat"]) + (left + book["exchanged"] - book["filled"])[1:]
+    total = (book["fluidHeat"] + book["grainHeat"])[1:]
     # What links a resolved grain's cells is 1e4 times what links them to the fluid: round-off
-    assert book["fluidError"].max() <= (1e-10 if int(resolved[1]) == 0 else 1e-7)
+    assert np.abs(missing / total).max() <= (1e-7 if resolved else 1e-10)
     assert book["grainError"].max() <= 1e-10
     vapour = case.table(next(case.path.glob("postProcessing/vapourLedger/*/*.csv")))
     assert vapour["leastPsi"].min() >= -1e-9

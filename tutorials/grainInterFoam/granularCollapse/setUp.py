@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""column, cells, grains, stations and constant/triSurface/gate.stl: setUp.py height width depth cell shape
+"""column, cells, grains, stations and constant/triSurface/gate.stl of a case.
+
+setUp.py height width depth cell shape
 
 Lengths in m.  shape: discs in a plane, or spheres in a slice of four diameters with cyclic sides.
 """

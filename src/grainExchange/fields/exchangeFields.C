@@ -83,6 +83,10 @@ Foam::exchangeFields::exchangeFields
     b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
     G(zeroField<vector>(mesh, "G", dimVelocity)),
     K(zeroField<scalar>(mesh, "K", dimTime/dimDensity)),
+    passing(zeroField<scalar>(mesh, "passing", dimless)),
+    passingG(zeroField<vector>(mesh, "passingG", dimVelocity)),
+    bBeside(zeroField<vector>(mesh, "bBeside", dimForce/dimVolume)),
+    betaBeside(zeroField<scalar>(mesh, "betaBeside", dimDensity/dimTime)),
     gradientOnGrains(gradientActsOnGrains),
     pressureDiffusion(artificialDiffusion)
 {}
@@ -95,6 +99,10 @@ void Foam::exchangeFields::clear()
     b = dimensionedVector(b.dimensions(), Zero);
     G = dimensionedVector(G.dimensions(), Zero);
     K = dimensionedScalar(K.dimensions(), Zero);
+    passing = dimensionedScalar(passing.dimensions(), Zero);
+    passingG = dimensionedVector(passingG.dimensions(), Zero);
+    bBeside = dimensionedVector(bBeside.dimensions(), Zero);
+    betaBeside = dimensionedScalar(betaBeside.dimensions(), Zero);
 }
 
 
@@ -115,4 +123,8 @@ void Foam::exchangeFields::correctBoundaryConditions()
     correctPatches(b, freePatches);
     correctPatches(G, freePatches);
     correctPatches(K, freePatches);
+    correctPatches(passing, freePatches);
+    correctPatches(passingG, freePatches);
+    correctPatches(bBeside, freePatches);
+    correctPatches(betaBeside, freePatches);
 }

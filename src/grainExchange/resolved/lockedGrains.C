@@ -120,6 +120,7 @@ void Foam::lockedGrains::addInertia(exchangeFields& fields) const
             fields.b[celli] += inertia*freeU_[celli];
         }
     }
+    cellInertia_ = fields.beta.primitiveField();
 }
 
 

@@ -108,7 +108,8 @@ void Foam::lockedGrains::correctForce
     const surfaceScalarField& faceForce,
     const surfaceScalarField& flux,
     const volScalarField& rho,
-    volVectorField& force
+    const forceOfGrains& grains,
+    volVectorField& gradient
 ) const
 {
     if (!isActive())
@@ -133,13 +134,16 @@ void Foam::lockedGrains::correctForce
         beside*rhoBeside*(flux - flux.oldTime())/mesh_.time().deltaT()
     );
     const surfaceScalarField missing((1 - fluidPart)*full);
-    force += locked()*reconstructed(full) - reconstructed(missing);
+    gradient += locked()*reconstructed(full) - reconstructed(missing);
 
     if (grains_.motion().isFixed())
     {
-        force +=
+        gradient +=
             (1 - 2*locked())
-           *reconstructed(cells_.continued(faceForce - missing));
+           *reconstructed
+            (
+                cells_.continued(faceForce + grains.atLocked - missing, grains)
+            );
         return;
     }
 
@@ -150,7 +154,7 @@ void Foam::lockedGrains::correctForce
     (
         beside*max(1 - rhoBeside/densityBeside(fluidPart), scalar(0))
     );
-    surfaceScalarField seen(faceForce - missing);
+    surfaceScalarField seen(faceForce + grains.atLocked - missing);
     if (ownForce_.valid())
     {
         const surfaceScalarField own
@@ -159,12 +163,13 @@ void Foam::lockedGrains::correctForce
            *(fvc::flux(ownForce_()) - fvc::interpolate(ownDrag_())*flux)
         );
         seen -= own;
-        force +=
+        gradient +=
             locked()*reconstructed(own/max(1 - fluidPart, scalar(SMALL)))
           - reconstructed(own);
     }
-    force +=
-        (1 - 2*locked())*reconstructed(lighter*cells_.continued(seen));
+    gradient +=
+        (1 - 2*locked())
+       *reconstructed(lighter*cells_.continued(seen, grains));
 }
 
 
@@ -179,7 +184,7 @@ void Foam::lockedGrains::correctMotion
     {
         return;
     }
-    cells_.makeRigid(freeU_, U);
+    cells_.makeRigid(freeU_, cellInertia_, U);
 
     // A face that comes to a grain takes its motion as fast as the fluid beside
     // it follows its neighbours

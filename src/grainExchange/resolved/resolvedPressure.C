@@ -11,7 +11,8 @@
 
 Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::continued
 (
-    const surfaceScalarField& flux
+    const surfaceScalarField& given,
+    const forceOfGrains& grains
 ) const
 {
     // Of a face to a grain: counts for a cell that has no other in a direction
@@ -23,17 +24,31 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::continued
     (
         (1 - (1 - least)*lockedFaces_)*mesh_.Sf()/mesh_.magSf()
     );
+    volVectorField sum
+    (
+        "sum",
+        grains.share*fvc::surfaceSum((1 - lockedFaces_)*weighted*given)
+      + fvc::surfaceSum(lockedFaces_*weighted*given)
+    );
+    if (gMax(((1 - locked_)*grains.beta)().primitiveField()) > 0)
+    {
+        const surfaceVectorField open
+        (
+            (1 - lockedFaces_)*mesh_.Sf()/mesh_.magSf()
+        );
+        sum +=
+            (fvc::surfaceSum(open*mesh_.Sf()) & grains.b)
+          - grains.beta*fvc::surfaceSum(open*grains.flux);
+    }
     volVectorField gradient
     (
-        "continued",
-        inv(fvc::surfaceSum(weighted*mesh_.Sf()))
-      & fvc::surfaceSum(weighted*flux)
+        "continued", inv(fvc::surfaceSum(weighted*mesh_.Sf())) & sum
     );
     gradient.correctBoundaryConditions();
 
     return beside
        *(
             fvc::flux((1 - locked_)*gradient)/max(fluidPart, scalar(SMALL))
-          - flux
+          - given
         );
 }

@@ -13,3 +13,18 @@ void Foam::resolvedTerm::predict
 {
     solve(UEqn == -pressureForce);
 }
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedTerm::onFaces
+(
+    const tmp<surfaceScalarField>& others,
+    const tmp<surfaceScalarField>& locked
+) const
+{
+    if (!isActive())
+    {
+        locked.clear();
+        return others;
+    }
+    return (1 - lockedFaces())*others + lockedFaces()*locked;
+}

@@ -32,7 +32,8 @@ void Foam::resolvedGrains::forGrainFaces(const Function& f) const
 
 Foam::vectorField Foam::resolvedGrains::meanOfCells
 (
-    const volVectorField& U
+    const volVectorField& U,
+    const scalarField& weight
 ) const
 {
     const scalarField& V = mesh_.V();
@@ -43,8 +44,8 @@ Foam::vectorField Foam::resolvedGrains::meanOfCells
         const label graini = grain(celli);
         if (graini >= 0)
         {
-            volume[graini] += V[celli];
-            sum[graini] += V[celli]*U[celli];
+            volume[graini] += weight[celli]*V[celli];
+            sum[graini] += weight[celli]*V[celli]*U[celli];
         }
     }
     sumOverRanks(volume);
@@ -57,10 +58,11 @@ Foam::vectorField Foam::resolvedGrains::meanOfCells
 void Foam::resolvedGrains::makeRigid
 (
     const volVectorField& freeU,
+    const scalarField& inertia,
     volVectorField& U
 ) const
 {
-    const vectorField change(meanOfCells(U - freeU));
+    const vectorField change(meanOfCells(U - freeU, inertia));
     forAll(U, celli)
     {
         const label graini = grain(celli);
@@ -97,7 +99,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::fluxOf
     }
     surfaceScalarField& result = tresult.ref();
 
-    const vectorField translation(meanOfCells(U));
+    const vectorField translation(meanOfCells(U, scalarField(mesh_.nCells(), 1)));
     forGrainFaces
     (
         [&]

@@ -10,6 +10,8 @@
 Foam::List<Foam::flowAround> Foam::flowAroundGrains
 (
     const grainSystem& grains,
+    const carrier& fluid,
+    const scalarField& weight,
     const scalarField& cellSize,
     const symmTensorField& section,
     const scalarField& eps,
@@ -26,7 +28,13 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
         flowAround& sum = result[graini];
         for (const cellOverlap& o : overlaps.of(graini))
         {
+            if (weight[o.cell] == 0)
+            {
+                continue;
+            }
             sum.volume += o.volume;
+            sum.rho += o.volume*fluid.rho()[o.cell];
+            sum.mu += o.volume*fluid.mu()[o.cell];
             sum.cellSize += o.volume*cellSize[o.cell];
             sum.section += o.volume*section[o.cell];
             sum.ownShare += o.volume*o.volume/V[o.cell];
@@ -42,6 +50,8 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
     for (flowAround& mean : result)
     {
         const scalar volume = max(mean.volume, VSMALL);
+        mean.rho /= volume;
+        mean.mu /= volume;
         mean.cellSize /= volume;
         mean.section /= volume;
         mean.ownShare /= volume;

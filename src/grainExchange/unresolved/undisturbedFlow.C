@@ -9,7 +9,6 @@
 #include "cellSizes.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
-#include "meanOverGrains.H"
 #include "missingFields.H"
 
 Foam::undisturbedFlow::undisturbedFlow
@@ -85,8 +84,24 @@ Foam::undisturbedFlow::diameters Foam::undisturbedFlow::ofUnresolved
 }
 
 
+Foam::scalarField Foam::undisturbedFlow::inFluid
+(
+    const resolvedTerm& resolved,
+    const label nCells
+)
+{
+    scalarField result(nCells, 1);
+    forAll(result, celli)
+    {
+        result[celli] = resolved.isLiquid(celli) ? 0 : 1;
+    }
+    return result;
+}
+
+
 Foam::filteredFlow Foam::undisturbedFlow::filtered
 (
+    const scalarField& weight,
     const volScalarField& eps,
     const volVectorField& U,
     const diameters& d
@@ -106,23 +121,32 @@ Foam::filteredFlow Foam::undisturbedFlow::filtered
     {
         return implicitDiffusion(mesh_, x, sqr(width_*size)/24, 1, 1e-9);
     };
+    const bool isWhole = gMin(weight) > 0;
+    const auto mean = [&](const auto& x, const scalar size)
+    {
+        using field = std::decay_t<decltype(x)>;
+        return
+            isWhole
+          ? filter(x, size)
+          : field(filter(field(weight*x), size)/max(filter(weight, size), SMALL));
+    };
 
     // A filter narrower than a few cells would not tell a grain from a bed
     const scalar wide =
         mesh_.nGeometricD() == 3 ? max(d.mean, gAverage(cellSize_)) : d.mean;
-    result.eps = filter(cellEps, wide);
+    result.eps = mean(cellEps, wide);
 
     if (d.largest > 0.5*cellSizeRange_.first())
     {
         const scalarField flowEps
         (
-            wide > d.mean ? filter(cellEps, d.mean) : result.eps
+            wide > d.mean ? mean(cellEps, d.mean) : result.eps
         );
         result.U =
-            filter(vectorField(cellEps*cellU), d.mean)/max(flowEps, SMALL);
+            mean(vectorField(cellEps*cellU), d.mean)/max(flowEps, SMALL);
         if (gradientOnGrains_)
         {
-            result.excessGradP = filter(cellGradP, d.mean) - cellGradP;
+            result.excessGradP = mean(cellGradP, d.mean) - cellGradP;
         }
     }
     return result;
@@ -151,16 +175,15 @@ void Foam::undisturbedFlow::set
     {
         return;
     }
+    const scalarField weight(inFluid(resolved, eps.size()));
     const List<flowAround> flows
     (
         flowAroundGrains
         (
-            grains, cellSize_, section_, eps, U, filtered(eps, U, d)
+            grains, fluid, weight, cellSize_, section_, eps, U,
+            filtered(weight, eps, U, d)
         )
     );
-    const scalarField rho(meanOverGrains(grains, fluid.rho()));
-    const scalarField mu(meanOverGrains(grains, fluid.mu()));
-
     corrections_.resize(grains.size());
     forAll(corrections_, i)
     {
@@ -168,7 +191,7 @@ void Foam::undisturbedFlow::set
         (
             flows[i],
             grains.motion().velocity(i),
-            {law, grains.fluidDiameter(i), rho[i], mu[i]}
+            {law, grains.fluidDiameter(i), flows[i].rho, flows[i].mu}
         );
     }
 }

@@ -50,6 +50,7 @@ Foam::scalar Foam::unresolvedTerm::gamma
 (
     const label graini,
     const cellOverlap& o,
+    const bool isLiquid,
     const scalar eps,
     const vector& slip
 ) const
@@ -63,7 +64,11 @@ Foam::scalar Foam::unresolvedTerm::gamma
     };
     const scalar share = o.volume/grains_.mesh().V()[o.cell];
     return
-        undisturbed_.gamma(graini, grain, share, eps, mag(slip))
+        (
+            isLiquid
+          ? undisturbed_.gammaInLiquid(grain, share, eps, mag(slip))
+          : undisturbed_.gamma(graini, grain, share, eps, mag(slip))
+        )
       + dragOfAddedMass(o.cell);
 }
 
@@ -92,6 +97,7 @@ void Foam::unresolvedTerm::predict
         }
         const scalar rhop = grains_.motion().density(graini);
         const grainMotion::twist motion(grains_.motion().motion(graini));
+        const bool covers = undisturbed_.of(graini).covers;
         const motionInStep inStep(grains_.motion(), weight_, graini, deltaT);
 
         for (const cellOverlap& o : overlaps.of(graini))
@@ -104,6 +110,7 @@ void Foam::unresolvedTerm::predict
                     (
                         graini,
                         o,
+                        resolved.isLiquid(o.cell),
                         max(cellEps[o.cell], exchangeFields::epsMin),
                         U[o.cell] - motion.at(o.arm)
                     ),
@@ -136,6 +143,13 @@ void Foam::unresolvedTerm::predict
             fields.beta[o.cell] += wag;
             fields.b[o.cell] += wag*t.free - w*e;
             fields.G[o.cell] += wa*t.free;
+            fields.passing[o.cell] += covers ? w : wa;
+            fields.passingG[o.cell] += (covers ? w : wa)*t.free;
+            if (!covers)
+            {
+                fields.bBeside[o.cell] += wag*t.free - w*e;
+                fields.betaBeside[o.cell] += wag;
+            }
             if (gradientOnGrains_)
             {
                 fields.K[o.cell] += wat;

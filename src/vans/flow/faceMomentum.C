@@ -88,17 +88,72 @@ Foam::faceMomentum::faceMomentum
     rAUf("rAUf", rAf/drag),
     mobility("mobility", rAUf),
     diffusivity("diffusivity", rAUf),
-    phiGrains("phiGrains", fvc::flux(grains.G))
+    part(resolved.partOfSurface(grains)),
+    phiGrains
+    (
+        "phiGrains", (1 - resolved.lockedFaces())*fvc::flux(grains.G)
+    )
 {
     resolved.startCorrections
     (
         leastInertia(step, rho)/rho.time().deltaT(), A, step.betaf, rAUf
     );
-    mobility = rAUf + fvc::interpolate(grains.K);
+    if (resolved.isPassable())
+    {
+        // One cell after the other, each with its own mobility: fluid and grains
+        const volScalarField laden(pos(1 - step.eps - resolved.locked() - SMALL));
+        mixed = (1 - resolved.lockedFaces())*pos(fvc::interpolate(laden) - SMALL);
+        cellMobility = step.alpha*step.share/(A + grains.beta) + grains.K;
+        rAUf =
+            (1 - mixed())*rAUf
+          + mixed()/fvc::interpolate(1/cellMobility());
+        phiGrains *= 1 - mixed();
+    }
+
+    // Beside a body the flux is that of the mixture
+    mobility = rAUf + (1 - resolved.lockedFaces())*fvc::interpolate(grains.K);
+    if (mixed.valid())
+    {
+        mobility = (1 - mixed())*mobility + mixed()*rAUf;
+    }
+    if (part.valid())
+    {
+        mobility = part()*mobility;
+    }
     diffusivity = mobility;
     if (grains.pressureDiffusion > 0)
     {
         diffusivity +=
             grains.pressureDiffusion*rho.time().deltaT()/fvc::interpolate(rho);
     }
+}
+
+
+void Foam::faceMomentum::mix
+(
+    const volVectorField& momentum,
+    const stepCoefficients& step,
+    const exchangeFields& grains,
+    surfaceScalarField& flux
+) const
+{
+    if (!mixed.valid())
+    {
+        return;
+    }
+    const volScalarField perForce
+    (
+        step.alpha/(A + grains.beta)/cellMobility()
+    );
+    const surfaceScalarField changeOfOld
+    (
+        inertiaFlux/fvc::interpolate(step.inertia*step.eps*step.alpha/A)
+    );
+    flux =
+        (1 - mixed())*flux
+      + mixed()*rAUf
+       *(
+            fvc::flux(perForce*(momentum + grains.b) + grains.G/cellMobility())
+          + fvc::interpolate(perForce*step.inertia)*changeOfOld
+        );
 }

@@ -24,23 +24,67 @@ volScalarField shareOf(const exchangeFields& grains, const volScalarField& alpha
 }
 
 
+//- Of locked cells one, of others the other
+template<class Field>
+tmp<Field> inLocked(const resolvedTerm& resolved, const Field& locked, const Field& other)
+{
+    return resolved.locked()*locked + (1 - resolved.locked())*other;
+}
+
+
 //- Of the mesh's faces, none if it does not move
 surfaceScalarField throughFaces
 (
-    const volScalarField& epsByAlpha,
+    const volScalarField& alpha,
     const volScalarField& eps,
-    const surfaceScalarField& phiAlpha
+    const vansFields& fields,
+    const resolvedTerm& resolved
 )
 {
     surfaceScalarField flux
     (
-        "phiEps", fvc::interpolate(epsByAlpha)*convectingFlux(phiAlpha)
+        "phiEps",
+        resolved.isPassable()
+      ? fvc::interpolate(eps)*convectingFlux(fields.phiU)
+      : resolved.onFaces
+        (
+            fvc::interpolate(eps/alpha)*convectingFlux(fields.phiAlpha),
+            fvc::interpolate(eps)*convectingFlux(fields.phi)
+        )
     );
-    if (phiAlpha.mesh().moving())
+    if (eps.mesh().moving())
     {
-        flux -= fvc::interpolate(eps)*phiAlpha.mesh().phi();
+        flux -= fvc::interpolate(eps)*eps.mesh().phi();
     }
     return flux;
+}
+
+
+volScalarField stillShare
+(
+    const exchangeFields& grains,
+    const resolvedTerm& resolved,
+    const volScalarField& perFlux
+)
+{
+    const scalar passes = resolved.isPassable() ? 1 : 0;
+    return 1/(1 + passes*perFlux*grains.K);
+}
+
+
+volVectorField forceAtRest
+(
+    const exchangeFields& grains,
+    const resolvedTerm& resolved,
+    const volScalarField& share,
+    const volScalarField& perFlux
+)
+{
+    if (!resolved.isPassable())
+    {
+        return grains.b/share;
+    }
+    return grains.b/share + perFlux*grains.G;
 }
 
 }
@@ -70,18 +114,43 @@ Foam::stepCoefficients::stepCoefficients
     const resolvedTerm& resolved,
     const carrier& fluid,
     const effectiveViscosity& viscosity,
-    const surfaceScalarField& phiAlpha
+    const vansFields& fields
 )
 :
     eps("epsFloored", max(grains.fluidShare, exchangeFields::epsMin)),
     epsOpen("epsOpen", grains.fluidShare + resolved.locked()),
     alpha(alphaOf(grains)),
     share(shareOf(grains, alpha)),
-    bByShare("bByShare", grains.b/share),
-    betaByShare("betaByShare", grains.beta/(alpha*share)),
-    phib("phib", fvc::flux(bByShare)),
-    betaf("betaf", fvc::interpolate(betaByShare)),
-    phiEps(throughFaces(epsOpen/alpha, epsOpen, phiAlpha)),
+    still
+    (
+        "still",
+        stillShare(grains, resolved, grains.beta/(alpha*share))
+    ),
+    bByShare
+    (
+        "bByShare",
+        still*forceAtRest(grains, resolved, share, grains.beta/(alpha*share))
+    ),
+    betaByShare("betaByShare", still*grains.beta/(alpha*share)),
+    phib
+    (
+        "phib",
+        resolved.onFaces
+        (
+            fvc::flux(bByShare),
+            fvc::flux(inLocked(resolved, bByShare, grains.bBeside))
+        )
+    ),
+    betaf
+    (
+        "betaf",
+        resolved.onFaces
+        (
+            fvc::interpolate(betaByShare),
+            fvc::interpolate(inLocked(resolved, betaByShare, grains.betaBeside))
+        )
+    ),
+    phiEps(throughFaces(alpha, epsOpen, fields, resolved)),
     inertia("inertia", fluid.inertia(eps)),
     massFlux(fluid.massFlux(eps, phiEps)),
     mu("muEff", fluid.muStress()*viscosity.ratio(epsOpen)),

@@ -74,11 +74,12 @@ void Foam::vansFlow::setHeight()
 
 void Foam::vansFlow::startStep()
 {
+    fields_.phi.oldTime();
     step_.reset
     (
         new stepCoefficients
         (
-            grains_, resolved_, fluid_, viscosity_, fields_.phiAlpha
+            grains_, resolved_, fluid_, viscosity_, fields_
         )
     );
     setMomentumEquation();
@@ -114,7 +115,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
             open.boundaryFieldRef()[patchi] = 1;
         }
     }
-    tmp<surfaceScalarField> flux(share*fields_.phiAlpha);
+    tmp<surfaceScalarField> flux
+    (
+        resolved_.isPassable()
+      ? open*fields_.phiU
+      : resolved_.onFaces(share*fields_.phiAlpha, open*fields_.phi)
+    );
     if (mesh_.moving())
     {
         flux.ref() -= open*mesh_.phi();

@@ -44,6 +44,7 @@ void Foam::vansFlow::beforeMeshChange()
     keepOldTime(fields_.U);
     keepOldTime(fields_.phiU);
     keepOldTime(fields_.phiAlpha);
+    keepOldTime(fields_.phi);
 
     faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
     faceAlphaU_.reset
@@ -53,6 +54,7 @@ void Foam::vansFlow::beforeMeshChange()
             stepCoefficients::alphaOf(grains_)*fields_.U, fields_.phiAlpha
         ).ptr()
     );
+    faceMixtureU_.reset(withFlux(fields_.U, fields_.phi).ptr());
     step_.clear();
     UEqn_.clear();
     faces_.clear();
@@ -70,15 +72,19 @@ void Foam::vansFlow::meshChanged()
         const volScalarField alpha(stepCoefficients::alphaOf(grains_));
         fields_.phiU.oldTime() = fvc::flux(fields_.U);
         fields_.phiAlpha.oldTime() = fvc::flux(alpha*fields_.U);
+        fields_.phi.oldTime() = fvc::flux(fields_.U);
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
     }
     else
     {
         fields_.phiU.oldTime() = mesh_.Sf() & faceU_();
         fields_.phiAlpha.oldTime() = mesh_.Sf() & faceAlphaU_();
+        fields_.phi.oldTime() = mesh_.Sf() & faceMixtureU_();
     }
     fields_.phiU = fields_.phiU.oldTime();
     fields_.phiAlpha = fields_.phiAlpha.oldTime();
+    fields_.phi = fields_.phi.oldTime();
     faceU_.clear();
     faceAlphaU_.clear();
+    faceMixtureU_.clear();
 }

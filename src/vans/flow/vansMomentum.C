@@ -14,10 +14,11 @@
 namespace
 {
 
+using namespace Foam;
+
 //- Rate of change of the cells' volumes by the scheme of U, over the volume
-Foam::tmp<Foam::volScalarField> ddtOfOne(const Foam::volVectorField& U)
+tmp<volScalarField> ddtOfOne(const volVectorField& U)
 {
-    using namespace Foam;
     volScalarField one
     (
         IOobject("one", U.time().timeName(), U.mesh()),
@@ -32,6 +33,26 @@ Foam::tmp<Foam::volScalarField> ddtOfOne(const Foam::volVectorField& U)
     (
         U.mesh(), U.mesh().ddtScheme("ddt(U)")
     ).ref().fvcDdt(one);
+}
+
+
+//- Force of grains in cells of fluid at their faces to locked ones, times the area
+//  [Pa m]
+tmp<surfaceScalarField> besideLocked
+(
+    const resolvedTerm& resolved,
+    const surfaceScalarField& flux,
+    const volVectorField& b,
+    const volScalarField& beta
+)
+{
+    const volScalarField open("open", 1 - resolved.locked());
+    return
+        resolved.lockedFaces()
+       *(
+            fvc::flux(open*b) - fvc::interpolate(open*beta)*flux
+        )
+       /max(fvc::interpolate(open), scalar(SMALL));
 }
 
 }
@@ -110,29 +131,61 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
     // flux that is made from U, through a cell that a fixed grain covers, the drag
     // would be boundless: the gradient holds none of it yet.
     const stepCoefficients& step = *step_;
-    const surfaceScalarField& phiAlpha = fields_.phiAlpha;
-
+    const surfaceScalarField flux
+    (
+        "flux",
+        resolved_.isPassable()
+      ? tmp<surfaceScalarField>(fields_.phi)
+      : resolved_.onFaces(fields_.phiAlpha, fields_.phi)
+    );
     const scalar kinks = fields_.areOfStep ? 1 : 0;
 
     surfaceScalarField faceForce("faceForce", gradient - kinks*step.phib);
     resolved_.correctFaceForce(faceForce);
-    faceForce += kinks*step.betaf*phiAlpha;
+    faceForce += kinks*step.betaf*flux;
 
-    tmp<volVectorField> tforce
+    // Only where the mixture's flux is that of the faces it is not 1
+    const volScalarField still("still", kinks*step.still + (1 - kinks));
+    if (resolved_.isPassable())
+    {
+        faceForce /=
+            (1 - resolved_.lockedFaces())*fvc::interpolate(still)
+          + resolved_.lockedFaces();
+    }
+
+    const volVectorField b("b", kinks*step.bByShare);
+    const volScalarField beta("beta", kinks*step.betaByShare);
+
+    volVectorField result
     (
-        new volVectorField
-        (
-            "pressureForce",
-            step.share
-           *(
-                reconstructed(faceForce)
-              + kinks*step.bByShare
-              - kinks*step.betaByShare*reconstructed(phiAlpha)
-            )
-        )
+        "pressureForce",
+        still*reconstructed(faceForce) + b - beta*reconstructed(flux)
     );
-    resolved_.correctForce(faceForce, phiAlpha, fluid_.rho(), tforce.ref());
-    return tforce;
+    if (resolved_.isActive())
+    {
+        const surfaceScalarField atLocked
+        (
+            kinks
+           *besideLocked(resolved_, flux, grains_.bBeside, grains_.betaBeside)
+        );
+        result +=
+            (1 - resolved_.locked())
+           *reconstructed
+            (
+                atLocked
+              - besideLocked(resolved_, flux, b, beta)
+              + besideLocked(resolved_, faceForce, 0*b, still - 1)
+            );
+        resolved_.correctForce
+        (
+            faceForce,
+            fields_.phi,
+            step.eps*fluid_.rho(),
+            {flux, still, b, beta, atLocked},
+            result
+        );
+    }
+    return step.share*result;
 }
 
 

@@ -83,9 +83,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
             )/faces.drag
         )
     );
+    faces.mix(faces.A*HbyA, step, grains_, tflux.ref());
     resolved_.correctFlux
     (
-        faces.A*HbyA, fields_.phiU.oldTime(), U, step.phib, tflux.ref()
+        faces.A*HbyA, fields_.phi.oldTime(), U, step.phib, tflux.ref()
     );
     return tflux;
 }
@@ -103,6 +104,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     const tmp<surfaceScalarField>& force = step_->faceForce;
 
     surfaceScalarField phiMixture("phiMixture", phiHbyA + faces.phiGrains);
+    if (faces.part.valid())
+    {
+        phiMixture = faces.part()*phiMixture;
+    }
     adjustPhi(phiMixture, U, p_rgh);
     if (force.valid())
     {
@@ -114,6 +119,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     if (volumeSource_.valid())
     {
         source.ref() -= volumeSource_();
+    }
+    if (resolved_.isActive())
+    {
+        volScalarField comesIn("comesIn", 0*source());
+        resolved_.addVolumeSource(grains_, U, comesIn);
+        source.ref() -= comesIn;
     }
 
     tmp<surfaceScalarField> tgradient;
@@ -151,8 +162,34 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     {
         tgradient.ref() += force();
     }
+
+    // At a body the flux is that of its surface, and fluid beside it moves so
     fields_.phiAlpha = phiHbyA - faces.rAUf*tgradient();
-    fields_.phiU = fvc::interpolate(1/step_->alpha)*fields_.phiAlpha;
+    fields_.phi = resolved_.onFaces(fields_.phi, fields_.phiAlpha);
+    fields_.phiAlpha = resolved_.onFaces
+    (
+        fields_.phiAlpha,
+        fvc::interpolate(step_->alpha)*fields_.phi
+    );
+    fields_.phiU = resolved_.onFaces
+    (
+        fvc::interpolate(1/step_->alpha)*fields_.phiAlpha, fields_.phi
+    );
+    if (faces.mixed.valid())
+    {
+        fields_.phi +=
+            faces.mixed()*(phiHbyA - faces.rAUf*tgradient() - fields_.phi);
+        const surfaceScalarField ofFluid
+        (
+            fields_.phi
+          - fvc::flux(grains_.G)
+          + fvc::interpolate(grains_.K)*tgradient()
+        );
+        fields_.phiAlpha += faces.mixed()*(ofFluid - fields_.phiAlpha);
+        fields_.phiU +=
+            faces.mixed()
+           *(ofFluid/fvc::interpolate(step_->alpha) - fields_.phiU);
+    }
     fields_.areOfStep = true;
     return tgradient;
 }
@@ -200,7 +237,7 @@ void Foam::vansFlow::correct(pimpleControl& control)
     {
         U = (H - force)/UEqn_->A();
     }
-    resolved_.correctMotion(U, fields_.phiAlpha, step_->betaf);
+    resolved_.correctMotion(U, fields_.phi, step_->betaf);
     U.correctBoundaryConditions();
     options_.correct(U);
 

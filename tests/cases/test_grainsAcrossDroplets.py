@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grains of a third of a cell to four cells that lie across the surface of a droplet of eight."""
+
+import numpy as np
+import pytest
+from droplet_box import BOILING, GAS, droplet_table, make_gas, open_top, with_droplets
+from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace, tracks
+from heat_box import with_heat
+
+H = 0.0025
+RADIUS = 4 * H
+PLACE = np.array([0.051, 0.0503])
+CELLS = [0.3, 1, 2.4, 3.9]
+
+
+def across(clone, cells, grain=None, velocity=(0, 0), stream=None, **options):
+    """A droplet in gas with a grain of some cells in a diameter whose centre is on its surface, or
+    elsewhere; both, and the gas if there is a stream, move."""
+    if grain is None:
+        angle = np.radians(37)
+        grain = PLACE + RADIUS * np.array([np.cos(angle), np.sin(angle)])
+    ofGrain = (0, 0) if stream is None else velocity
+    case = grain_box(clone, [grain], cells * H / 2, velocity=[ofGrain])
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+    if stream is not None:
+        open_ends(case, stream)
+        replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {stream} 0)")
+    case.run("blockMesh")
+    with_heat(case, T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    if stream is None:
+        open_top(case)
+    with_droplets(case, [PLACE], RADIUS, velocity=[velocity], **options)
+    return case
+
+
+@pytest.mark.parametrize("cells", CELLS)
+def test_what_moves_together_stays_together(clone, cells):
+    """Droplet, grain and gas, a tenth of a cell in a step: cells change sides."""
+    speed = 0.25
+    case = across(clone, cells, velocity=(0, speed), stream=speed)
+    control(case, endTime=0.02, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    np.testing.assert_allclose(tracks(case)[:, 5:7], [[0, speed]] * 20, atol=2e-4 * speed)
+    np.testing.assert_allclose(book["vy"], speed, rtol=2e-4)
+    np.testing.assert_allclose(book["vx"], 0, atol=2e-4 * speed)
+
+
+@pytest.mark.parametrize("cells", CELLS)
+def test_what_falls_together_has_the_same_speed(clone, cells):
+    """In free fall there is no buoyancy, and gas is nothing."""
+    case = across(clone, cells)
+    control(case, endTime=0.02, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book, grain = droplet_table(case), tracks(case)
+    fallen = -9.81 * book["time"]
+    np.testing.assert_allclose(grain[:, 6], fallen, rtol=5e-3)
+    np.testing.assert_allclose(book["vy"], fallen, rtol=5e-3)
+    np.testing.assert_allclose(grain[:, 5], 0, atol=2e-3 * 0.2)
+    assert ledger(case)["momentumError"].max() < 1e-9
+
+
+@pytest.mark.parametrize("cells", [1, 2.4, 3.9])
+def test_a_droplet_that_hits_a_grain_takes_it_along(clone, cells):
+    """What it loses of its momentum the grain has, but for 0.3 % that is the gas's."""
+    grain = PLACE + [7e-4, -(RADIUS + 0.6 * cells * H)]
+    case = across(clone, cells, grain, velocity=(0, -0.4))
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, endTime=0.03, deltaT=5e-4, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book, track = droplet_table(case), tracks(case)
+    ratio = 2500 * (cells * H / 2) ** 2 / (1000 * RADIUS**2)
+    assert np.all(np.diff(track[:, 6]) < 1e-4)
+    assert -0.4 < book["vy"][-1] < track[-1, 6] < -0.005
+    np.testing.assert_allclose(track[:, 5], 0, atol=1e-3)
+    np.testing.assert_allclose(book["vy"] + ratio * track[:, 6], -0.4, rtol=5e-3)
+    inside = np.pi * (cells * H / 2) ** 2 * DEPTH
+    assert book["inside"].max() <= inside * (1 + 1e-9)

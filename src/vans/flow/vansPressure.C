@@ -163,18 +163,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
         tgradient.ref() += force();
     }
 
-    // At a body the flux is that of its surface, and fluid beside it moves so
     fields_.phiAlpha = phiHbyA - faces.rAUf*tgradient();
-    fields_.phi = resolved_.onFaces(fields_.phi, fields_.phiAlpha);
-    fields_.phiAlpha = resolved_.onFaces
-    (
-        fields_.phiAlpha,
-        fvc::interpolate(step_->alpha)*fields_.phi
-    );
-    fields_.phiU = resolved_.onFaces
-    (
-        fvc::interpolate(1/step_->alpha)*fields_.phiAlpha, fields_.phi
-    );
+    fields_.phiU = fvc::interpolate(1/step_->alpha)*fields_.phiAlpha;
+    if (resolved_.isActive())
+    {
+        // At a body the flux is that of its surface, and fluid beside it moves so
+        const surfaceScalarField& locked = resolved_.lockedFaces();
+        const surfaceScalarField ofFluid
+        (
+            fvc::interpolate(step_->alpha)*fields_.phiAlpha
+        );
+        fields_.phi += locked*(fields_.phiAlpha - fields_.phi);
+        fields_.phiU += locked*(fields_.phiAlpha - fields_.phiU);
+        fields_.phiAlpha += locked*(ofFluid - fields_.phiAlpha);
+    }
     if (faces.mixed.valid())
     {
         fields_.phi +=

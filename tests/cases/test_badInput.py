@@ -349,12 +349,12 @@ TABLE = [
     (
         "resolvedGrains",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type forced; }"),
-        [GRAINS, "'type'", "value forced", "locked none"],
+        [GRAINS, "'type'", "value forced", "locked cutCells none"],
     ),
     (
         "noTypeOfResolvedGrains",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { from 5; }"),
-        [GRAINS, "resolvedGrains", "'type' is missing", "locked none"],
+        [GRAINS, "resolvedGrains", "'type' is missing", "locked cutCells none"],
     ),
     (
         "resolvedByCentroids",

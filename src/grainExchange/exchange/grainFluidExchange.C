@@ -6,7 +6,6 @@
 #include "grainFluidExchange.H"
 
 #include "dictionaryInput.H"
-#include "lockedGrains.H"
 #include "zeroGradientFvPatchFields.H"
 
 bool Foam::grainFluidExchange::readForm(const dictionary& dict)
@@ -24,7 +23,7 @@ Foam::grainFluidExchange::grainFluidExchange
 :
     grainFluidExchange
     (
-        grains, fluid, fluid, lockedGrains::New(grains, fluid)
+        grains, fluid, fluid, resolvedTerm::New(grains, fluid)
     )
 {}
 
@@ -134,7 +133,7 @@ void Foam::grainFluidExchange::findShares()
 
     const overlapList& overlaps = grains_.overlaps();
     volScalarField& share = fields_.fluidShare;
-    share == 1 - resolved_->locked();
+    share == resolved_->open();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         if (resolved_->isResolved(graini))

@@ -33,6 +33,8 @@ Foam::vector Foam::grainFluidExchange::momentumOfCells
                *gradP[celli]
               + fields_.beta[celli]*U[celli] - fields_.b[celli]
             );
+        result +=
+            deltaT*resolved_->forceOfCell(celli, U[celli], gradP[celli]);
     }
     return returnReduce(result, sumOp<vector>());
 }

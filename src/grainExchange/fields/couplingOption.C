@@ -16,6 +16,23 @@ std::optional<Foam::scalar> Foam::couplingOption
     const bool isPossible
 )
 {
+    return couplingOption
+    (
+        coupling, keyword, wordList(1, type), number, isPossible
+    ).number;
+}
+
+
+Foam::chosenOption Foam::couplingOption
+(
+    const dictionary& coupling,
+    const word& keyword,
+    const wordList& types,
+    const optionNumber& number,
+    const bool isPossible
+)
+{
+    word type(types[0]);
     std::optional<scalar> value(number.deflt);
     if (coupling.found(keyword))
     {
@@ -26,7 +43,10 @@ std::optional<Foam::scalar> Foam::couplingOption
             dict, number.keyword, dimless, number.deflt, number.low, number.high
         );
 
-        if (dictionaryInput::getWord(dict, "type", {type, "none"}) == "none")
+        wordList allowed(types);
+        allowed.append("none");
+        type = dictionaryInput::getWord(dict, "type", allowed);
+        if (type == "none")
         {
             value.reset();
         }
@@ -43,5 +63,5 @@ std::optional<Foam::scalar> Foam::couplingOption
     {
         value.reset();
     }
-    return value;
+    return {type, value};
 }

@@ -5,32 +5,9 @@
 
 #include "lockedGrains.H"
 
-#include "couplingOption.H"
 #include "fvc.H"
 #include "fvm.H"
-#include "noResolvedTerm.H"
 #include "warnOfShearedCells.H"
-
-Foam::autoPtr<Foam::resolvedTerm> Foam::lockedGrains::New
-(
-    const grainSystem& grains,
-    const carrier& fluid
-)
-{
-    const std::optional<scalar> from
-    (
-        couplingOption
-        (
-            grains.motion().coupling(), "resolvedGrains", "locked",
-            {"from", 4, 2, 100}, grains.voidFraction().resolves()
-        )
-    );
-    return
-        from
-      ? autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *from))
-      : autoPtr<resolvedTerm>(new noResolvedTerm(grains.mesh()));
-}
-
 
 Foam::lockedGrains::lockedGrains
 (

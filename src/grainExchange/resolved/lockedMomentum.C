@@ -110,7 +110,7 @@ void Foam::lockedGrains::correctForce
     const volScalarField& rho,
     const forceOfGrains& grains,
     volVectorField& gradient
-) const
+)
 {
     if (!isActive())
     {

@@ -5,6 +5,37 @@
 
 #include "resolvedTerm.H"
 
+#include "couplingOption.H"
+#include "cutGrains.H"
+#include "lockedGrains.H"
+#include "noResolvedTerm.H"
+
+Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
+(
+    const grainSystem& grains,
+    const carrier& fluid
+)
+{
+    const chosenOption chosen
+    (
+        couplingOption
+        (
+            grains.motion().coupling(), "resolvedGrains",
+            wordList({"locked", "cutCells"}), {"from", 4, 2, 100},
+            grains.voidFraction().resolves()
+        )
+    );
+    if (!chosen.number)
+    {
+        return autoPtr<resolvedTerm>(new noResolvedTerm(grains.mesh()));
+    }
+    return
+        chosen.type == "cutCells"
+      ? autoPtr<resolvedTerm>(new cutGrains(grains, fluid, *chosen.number))
+      : autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *chosen.number));
+}
+
+
 void Foam::resolvedTerm::predict
 (
     fvVectorMatrix& UEqn,

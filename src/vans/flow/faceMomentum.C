@@ -120,6 +120,7 @@ Foam::faceMomentum::faceMomentum
     {
         mobility = part()*mobility;
     }
+    resolved.addToMobility(mobility);
     diffusivity = mobility;
     if (grains.pressureDiffusion > 0)
     {

@@ -153,7 +153,12 @@ Foam::stepCoefficients::stepCoefficients
     phiEps(throughFaces(alpha, epsOpen, fields, resolved)),
     inertia("inertia", fluid.inertia(eps)),
     massFlux(fluid.massFlux(eps, phiEps)),
-    mu("muEff", fluid.muStress()*viscosity.ratio(epsOpen)),
+    mu
+    (
+        "muEff",
+        fluid.muStress()
+       *viscosity.ratio(epsOpen + (1 - resolved.open() - resolved.locked()))
+    ),
     muf("muf", fvc::interpolate(mu)),
     wallDrag(fluid.wallDrag()),
     faceForce(fluid.faceForce())

@@ -108,6 +108,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     {
         phiMixture = faces.part()*phiMixture;
     }
+    resolved_.addToFlux(phiMixture);
     adjustPhi(phiMixture, U, p_rgh);
     if (force.valid())
     {
@@ -192,6 +193,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
             faces.mixed()
            *(ofFluid/fvc::interpolate(step_->alpha) - fields_.phiU);
     }
+    resolved_.correctFaceVelocity(fields_.phiAlpha, fields_.phiU);
     fields_.areOfStep = true;
     return tgradient;
 }
@@ -220,6 +222,7 @@ void Foam::vansFlow::setPressure()
 void Foam::vansFlow::correct(pimpleControl& control)
 {
     volVectorField& U = fields_.U;
+    resolved_.correctSource(*UEqn_);
     const volVectorField H("H", UEqn_->H());
 
     const tmp<surfaceScalarField> gradient

@@ -1,0 +1,298 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutCells.H"
+
+#include "fvcSurfaceIntegrate.H"
+#include "overlap/disc/DiscEdge.hpp"
+#include "resolvedGrains.H"
+#include "surfaceInterpolate.H"
+
+template<class Function>
+void Foam::cutCells::forFaces(const label celli, const Function& f) const
+{
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+        if (mesh_.isInternalFace(facei))
+        {
+            f(facei, sign, -1, facei);
+            continue;
+        }
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.size())
+        {
+            f(facei, sign, patchi, facei - patch.start());
+        }
+    }
+}
+
+
+Foam::scalar Foam::cutCells::closedShare
+(
+    const label facei,
+    const grainMember& body
+) const
+{
+    const point& middle = mesh_.faceCentres()[facei];
+    const vector toMiddle(between(body.centre, middle));
+
+    // Of a mesh one cell thick, the edge in its plane
+    vector first(Zero), last(Zero);
+    scalar longest = -1;
+    for (const label pointi : mesh_.faces()[facei])
+    {
+        const vector x(inMesh(mesh_.points()[pointi] - middle));
+        if (longest < 0)
+        {
+            first = x;
+            longest = 0;
+        }
+        if (mag(x - first) > longest)
+        {
+            last = x;
+            longest = mag(x - first);
+        }
+    }
+
+    overlap::Point2 a, b;
+    int k = 0;
+    for (direction i = 0; i < vector::nComponents; ++i)
+    {
+        if (mesh_.geometricD()[i] > 0)
+        {
+            a[k] = toMiddle[i] + first[i];
+            b[k] = toMiddle[i] + last[i];
+            ++k;
+        }
+    }
+    return
+        overlap::lengthInDisc({0, 0}, body.radius, a, b)/(b - a).norm();
+}
+
+
+void Foam::cutCells::addParts
+(
+    const label graini,
+    DynamicList<part>& parts
+) const
+{
+    const grainMember body(grains_.members(graini)[0]);
+    labelHashSet seen;
+    for (const cellOverlap& o : grains_.overlaps().of(graini))
+    {
+        forFaces
+        (
+            o.cell,
+            [&](const label facei, scalar, const label patchi, const label i)
+            {
+                if (!seen.insert(facei))
+                {
+                    return;
+                }
+                const scalar share = closedShare(facei, body);
+                if (share > 0)
+                {
+                    parts.append(part{graini, patchi, i, share});
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::cutCells::setFaces()
+{
+    using resolvedFace::at;
+
+    DynamicList<part> parts;
+    for (label graini = 0; graini < grains_.overlaps().nGrains(); ++graini)
+    {
+        addParts(graini, parts);
+    }
+
+    surfaceScalarField closed(0*open_);
+    for (const part& x : parts)
+    {
+        at(closed, x.patch, x.face) += x.share;
+    }
+
+    // Closed where a cell is; the same on both sides of a face of two ranks
+    open_ = 1 - closed;
+    const auto round = [](scalar& x) { x = x < least_ ? 0 : min(x, scalar(1)); };
+    forAll(mesh_.owner(), facei)
+    {
+        scalar& x = open_[facei];
+        const scalar less =
+            min(fluid_[mesh_.owner()[facei]], fluid_[mesh_.neighbour()[facei]]);
+        x = less > 0 ? x : 0;
+        round(x);
+        cutFaces_[facei] = less < 1;
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        scalarField less(fluid_.boundaryField()[patchi].patchInternalField());
+        if (patch.coupled())
+        {
+            less = min(less, fluid_.boundaryField()[patchi].patchNeighbourField()());
+        }
+        forAll(patch, i)
+        {
+            scalar& x = open_.boundaryFieldRef()[patchi][i];
+            x = less[i] > 0 ? x : 0;
+            round(x);
+            cutFaces_.boundaryFieldRef()[patchi][i] =
+                patch.coupled() && less[i] < 1;
+        }
+    }
+
+    // What counts as nothing goes to the grain
+    for (part& x : parts)
+    {
+        const scalar all = at(closed, x.patch, x.face);
+        x.share *= (1 - at(open_, x.patch, x.face))/all;
+    }
+    parts_.transfer(parts);
+
+    openCells_.primitiveFieldRef() =
+        pos(0.5 - fvc::surfaceSum(cutFaces_)().primitiveField());
+    openCells_.correctBoundaryConditions();
+    openCells_.primitiveFieldRef() = pos
+    (
+        0.5
+      - fvc::surfaceSum
+        (
+            1 - pos(fvc::interpolate(openCells_) - 1 + SMALL)
+        )().primitiveField()
+    );
+    openCells_.correctBoundaryConditions();
+}
+
+
+void Foam::cutCells::setWalls()
+{
+    using resolvedFace::at;
+
+    const overlapList& overlaps = grains_.overlaps();
+    const vectorField& C = mesh_.C();
+
+    // Of each grain, what it has of the faces
+    List<DynamicList<label>> partsOf(overlaps.nGrains());
+    forAll(parts_, i)
+    {
+        partsOf[parts_[i].grain].append(i);
+    }
+
+    scalarField solid(mesh_.nCells(), Zero);
+    for (const cellOverlap& o : overlaps.all())
+    {
+        solid[o.cell] += o.volume;
+    }
+
+    DynamicList<wall> walls;
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        Map<scalar> inside, outside;
+        for (const label i : partsOf[graini])
+        {
+            const part& x = parts_[i];
+            if (x.patch < 0)
+            {
+                inside.insert(x.face, x.share);
+            }
+            else
+            {
+                outside.insert
+                (
+                    mesh_.boundary()[x.patch].start() + x.face, x.share
+                );
+            }
+        }
+        const scalar R = grains_.members(graini)[0].radius;
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            wall x{graini, o.cell, Zero, Zero, 1, o.volume/solid[o.cell]};
+            forFaces
+            (
+                o.cell,
+                [&]
+                (
+                    const label facei,
+                    const scalar sign,
+                    const label patchi,
+                    const label i
+                )
+                {
+                    const Map<scalar>& shares = patchi < 0 ? inside : outside;
+                    const auto found = shares.cfind(facei);
+                    if (found.found())
+                    {
+                        x.area += sign*(*found)*at(mesh_.Sf(), patchi, i);
+                    }
+                }
+            );
+            const vector r
+            (
+                between(grains_.centres()[graini], C[o.cell])
+              + centroid_[o.cell]
+            );
+            x.arm = R*r/max(mag(r), VSMALL);
+            x.distance = max(mag(r) - R, 1e-3*cellSize_[o.cell]);
+            walls.append(x);
+        }
+    }
+    walls_.transfer(walls);
+}
+
+
+void Foam::cutCells::setConductance()
+{
+    // Nearer, two centroids are as good as a quarter of the cells' distance apart
+    constexpr scalar nearest = 0.25;
+
+    const auto ratio = [&]
+    (
+        const scalar open,
+        const scalar apart,
+        const vector& normal,
+        const vector& shift
+    )
+    {
+        return open*apart/max(nearest*apart, apart + (normal & shift));
+    };
+    const surfaceScalarField& coeffs = mesh_.nonOrthDeltaCoeffs();
+    const surfaceVectorField& S = mesh_.Sf();
+
+    forAll(mesh_.owner(), i)
+    {
+        const vector shift
+        (
+            centroid_[mesh_.neighbour()[i]] - centroid_[mesh_.owner()[i]]
+        );
+        conductance_[i] = ratio(open_[i], 1/coeffs[i], S[i]/mag(S[i]), shift);
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const fvPatchVectorField& x = centroid_.boundaryField()[patchi];
+        vectorField shift(-x.patchInternalField());
+        if (patch.coupled())
+        {
+            shift += x.patchNeighbourField()();
+        }
+        const vectorField n(patch.nf());
+        forAll(patch, i)
+        {
+            conductance_.boundaryFieldRef()[patchi][i] = ratio
+            (
+                open_.boundaryField()[patchi][i],
+                1/coeffs.boundaryField()[patchi][i],
+                n[i], shift[i]
+            );
+        }
+    }
+}

@@ -1,0 +1,253 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutGrains.H"
+
+#include "cellSizes.H"
+#include "dictionaryInput.H"
+#include "motionInStep.H"
+#include "zeroGradientFvPatchFields.H"
+
+Foam::cutGrains::cutGrains
+(
+    const grainSystem& grains,
+    const carrier& fluid,
+    const scalar from
+)
+:
+    grains_(grains),
+    mesh_(grains.mesh()),
+    fluid_(fluid),
+    weight_(grains, fluid),
+    from_(from),
+    cells_(grains),
+    isActive_(false),
+    locked_
+    (
+        IOobject("locked", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    ),
+    lockedFaces_
+    (
+        IOobject("lockedFaces", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    ),
+    lastFluid_
+    (
+        IOobject
+        (
+            "cutFluid", mesh_.time().timeName(), mesh_,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar("none", dimless, -1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    lastGrain_
+    (
+        IOobject
+        (
+            "cutGrain", mesh_.time().timeName(), mesh_,
+            IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar("none", dimless, -1),
+        zeroGradientFvPatchScalarField::typeName
+    )
+{
+    if (mesh_.nGeometricD() != 2)
+    {
+        refuse("spheres");
+    }
+    if (mesh_.dynamic())
+    {
+        refuse("a mesh that moves");
+    }
+    if (Pstream::parRun())
+    {
+        refuse("runs in parallel");
+    }
+    if (grains.motion().coupling().getOrDefault<word>("form", "A") != "A")
+    {
+        refuse("form B");
+    }
+    if (fluid.wallDrag().valid())
+    {
+        refuse("the drag of plates");
+    }
+    requireResolved();
+    requireShortSteps();
+}
+
+
+void Foam::cutGrains::refuse(const string& what) const
+{
+    const dictionary& dict =
+        grains_.motion().coupling().subDict("resolvedGrains");
+    dictionaryInput::badValue
+    (
+        dict, "type", "cutCells", "locked none, with " + what
+    );
+}
+
+
+void Foam::cutGrains::requireResolved() const
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalarField h(cellSizes(mesh_));
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (grains_.members(graini).size() > 1)
+        {
+            refuse("clusters");
+        }
+        if (grains_.isAtOpening(graini))
+        {
+            refuse("grains that pass an opening");
+        }
+        scalar volume = 0, size = 0;
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            volume += o.volume;
+            size += o.volume*h[o.cell];
+        }
+        if (grains_.fluidDiameter(graini)*volume < (1 - 1e-6)*from_*size)
+        {
+            refuse
+            (
+                "grains that have less than " + Foam::name(from_)
+              + " cells in a diameter"
+            );
+        }
+    }
+}
+
+
+void Foam::cutGrains::requireShortSteps() const
+{
+    // 5 was unstable, 0.6 was not
+    constexpr scalar most = 1;
+
+    const scalarField nu
+    (
+        fluid_.mu().primitiveField()/fluid_.rho().primitiveField()
+    );
+    const scalar largest =
+        mesh_.time().deltaTValue()*gMax(nu/sqr(cellSizes(mesh_)()));
+    if (!grains_.motion().isFixed() && grains_.size() && largest > most)
+    {
+        refuse
+        (
+            "grains that move and nu deltaT/h^2 = " + Foam::name(largest)
+          + " > 1: a smaller deltaT in system/controlDict"
+        );
+    }
+}
+
+
+void Foam::cutGrains::update()
+{
+    requireResolved();
+    requireShortSteps();
+    isActive_ = grains_.size() > 0;
+    cells_.update();
+    const bool isFirst = gMin(lastFluid_.primitiveField()) < 0;
+    oldFluid_ = isFirst ? cells_.fluid() : lastFluid_;
+    lastFluid_ == cells_.fluid();
+    oldGrain_.resize(mesh_.nCells());
+    forAll(oldGrain_, celli)
+    {
+        oldGrain_[celli] = label(lastGrain_[celli]);
+    }
+    lastGrain_ == dimensionedScalar("none", dimless, -1);
+    for (const cutCells::wall& x : cells_.walls())
+    {
+        lastGrain_[x.cell] = x.grain;
+    }
+    lastGrain_.correctBoundaryConditions();
+
+    outflow_.resize(mesh_.nCells());
+    outflow_ = Zero;
+    remainder_.resize(mesh_.nCells());
+    remainder_ = Zero;
+    gradient_.clear();
+    A_.clear();
+    pressure_.resize(mesh_.nCells());
+    pressure_ = Zero;
+
+    const scalarField& mu = fluid_.muStress();
+    const List<cutCells::wall>& walls = cells_.walls();
+    const scalarField& open = cells_.fluid();
+    link_.resize(walls.size());
+    hold_.resize(mesh_.nCells());
+    hold_ = Zero;
+    cover_.resize(mesh_.nCells());
+    cover_ = -1;
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        const bool isCut = open[x.cell] > 0;
+        link_[i] = isCut ? mu[x.cell]*mag(x.area)/x.distance : 0;
+        if (!isCut && cover_[x.cell] < 0)
+        {
+            cover_[x.cell] = x.grain;
+            hold_[x.cell] =
+                mesh_.V()[x.cell]*fluid_.rho()[x.cell]
+               /mesh_.time().deltaTValue();
+        }
+    }
+
+    setFreeMotion();
+    sumLinks();
+}
+
+
+void Foam::cutGrains::setFreeMotion()
+{
+    const scalarField rho(weight_.displaced());
+    free_.resize(grains_.size());
+    motion_.resize(grains_.size());
+    forAll(motion_, graini)
+    {
+        if (grains_.motion().isFixed())
+        {
+            free_[graini] = motion_[graini] = grainMotion::twist{Zero, Zero};
+            continue;
+        }
+        motion_[graini] = grains_.motion().motion(graini);
+        free_[graini] =
+            motionInStep
+            (
+                grains_.motion(), weight_, graini, mesh_.time().deltaTValue()
+            ).in(rho[graini]);
+    }
+    inSource_ = motion_;
+    resists_.resize(grains_.size());
+    resists_ = Zero;
+}
+
+
+Foam::vector Foam::cutGrains::velocityIn(const label celli) const
+{
+    const label graini = cover_[celli];
+    return motion_[graini].at
+    (
+        cells_.between(grains_.centres()[graini], mesh_.C()[celli])
+    );
+}
+
+
+void Foam::cutGrains::addInertia(exchangeFields& fields) const
+{
+    forAll(cover_, celli)
+    {
+        if (cover_[celli] >= 0)
+        {
+            fields.kappa[celli] += 1;
+        }
+    }
+}

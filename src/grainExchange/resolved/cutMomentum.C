@@ -1,0 +1,328 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutGrains.H"
+
+#include "combineOverRanks.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "gaussConvectionScheme.H"
+#include "reconstruction.H"
+#include "resolvedGrains.H"
+#include "upwind.H"
+
+void Foam::cutGrains::addToMomentum
+(
+    fvVectorMatrix& UEqn,
+    const surfaceScalarField& massFlux,
+    const surfaceScalarField&
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const volVectorField& U = UEqn.psi();
+    const surfaceScalarField& cut = cells_.cutFaces();
+
+    // Upwind between cells of which one may be small, and as much of the scheme
+    // as the smaller one bears; nothing passes what is closed by now
+    const word scheme("div(" + massFlux.name() + ',' + U.name() + ')');
+    const surfaceScalarField all(massFlux.name(), cut*massFlux);
+    const surfaceScalarField flux(massFlux.name(), pos(cells_.open())*all);
+
+    surfaceScalarField bearable(0*cut);
+    const scalarField& open = cells_.fluid();
+    forAll(mesh_.owner(), facei)
+    {
+        bearable[facei] = min
+        (
+            2*min(open[mesh_.owner()[facei]], open[mesh_.neighbour()[facei]]), 1
+        );
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& x = cells_.fluid().boundaryField()[patchi];
+        if (mesh_.boundary()[patchi].coupled())
+        {
+            bearable.boundaryFieldRef()[patchi] = min
+            (
+                2*min(x.patchInternalField(), x.patchNeighbourField())(),
+                scalar(1)
+            );
+        }
+    }
+
+    tmp<surfaceScalarField> tflux(flux);
+    const upwind<vector> simple(mesh_, flux);
+    const surfaceVectorField ahead
+    (
+        fv::convectionScheme<vector>::New
+        (
+            mesh_, flux, mesh_.divScheme(scheme)
+        )().interpolate(flux, U)
+    );
+    UEqn -= fvm::div(all, U, scheme) - fvm::Sp(fvc::div(all), U);
+    UEqn +=
+        fv::gaussConvectionScheme<vector>
+        (
+            mesh_, flux,
+            tmp<surfaceInterpolationScheme<vector>>(new upwind<vector>(mesh_, flux))
+        ).fvmDiv(flux, U)
+      - fvm::Sp(fvc::div(flux), U)
+      + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
+
+    outflow_ =
+        fvc::surfaceIntegrate(massFlux - all + flux)().primitiveField()
+       *mesh_.V().field();
+
+    scalarField& diagonal = UEqn.diag();
+    vectorField& source = UEqn.source();
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        diagonal[walls[i].cell] += link_[i];
+        source[walls[i].cell] += link_[i]*velocityAt(walls[i]);
+    }
+    forAll(hold_, celli)
+    {
+        if (cover_[celli] >= 0)
+        {
+            diagonal[celli] += hold_[celli];
+            source[celli] += hold_[celli]*velocityIn(celli);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluidOfFaces() const
+{
+    return max(fvc::interpolate(cells_.fluid()), scalar(SMALL));
+}
+
+
+void Foam::cutGrains::startCorrections
+(
+    const volScalarField&,
+    const volScalarField& A,
+    const surfaceScalarField&,
+    surfaceScalarField& mobility
+)
+{
+    if (!isActive())
+    {
+        return;
+    }
+    A_ = new volScalarField("cutA", A);
+    resists_ = Zero;
+    forAll(link_, i)
+    {
+        resists_[cells_.walls()[i].grain] += link_[i]*(1 - follows(i));
+    }
+    sumOverRanks(resists_);
+    const surfaceScalarField& cut = cells_.cutFaces();
+    mobility =
+        (1 - cut)*mobility
+      + cut*cells_.open()*fvc::interpolate(sqr(cells_.fluid())/A)
+       /fluidOfFaces();
+}
+
+
+void Foam::cutGrains::correctFlux
+(
+    const volVectorField& AU,
+    const surfaceScalarField&,
+    const volVectorField&,
+    const surfaceScalarField&,
+    surfaceScalarField& flux
+)
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const surfaceScalarField& cut = cells_.cutFaces();
+    flux =
+        (1 - cut)*flux
+      + cut*cells_.open()*fvc::flux(cells_.fluid()*AU/A_())/fluidOfFaces();
+}
+
+
+Foam::scalar Foam::cutGrains::inertia(const label graini) const
+{
+    // So much of the fluid's that a grain which is fixed hardly yields
+    constexpr scalar fixed = 1e4;
+
+    const grainMotion& motion = grains_.motion();
+    const scalar deltaT = mesh_.time().deltaTValue();
+    return
+        motion.isFixed()
+      ? fixed*gMax(fluid_.rho().primitiveField())/deltaT
+      : motion.density(graini)/deltaT
+      + resists_[graini]/grains_.mappedVolume()[graini];
+}
+
+
+void Foam::cutGrains::correctSource(fvVectorMatrix& UEqn)
+{
+    if (!isActive() || grains_.motion().isFixed())
+    {
+        return;
+    }
+    vectorField& source = UEqn.source();
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        source[x.cell] +=
+            link_[i]*(velocityAt(x) - inSource_[x.grain].at(x.arm));
+    }
+    inSource_ = motion_;
+}
+
+
+void Foam::cutGrains::addToMobility(surfaceScalarField& mobility) const
+{
+    for (const cutCells::part& x : cells_.parts())
+    {
+        resolvedFace::at(mobility, x.patch, x.face) += x.share/inertia(x.grain);
+    }
+}
+
+
+void Foam::cutGrains::addToFlux(surfaceScalarField& flux) const
+{
+    using resolvedFace::at;
+
+    for (const cutCells::part& x : cells_.parts())
+    {
+        at(flux, x.patch, x.face) +=
+            x.share
+           *(
+                (motion_[x.grain].velocity & at(mesh_.Sf(), x.patch, x.face))
+              + at(gradient_(), x.patch, x.face)/inertia(x.grain)
+            );
+    }
+}
+
+
+void Foam::cutGrains::correctFaceVelocity
+(
+    const surfaceScalarField& fluxOfOpen,
+    surfaceScalarField& flux
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const surfaceScalarField& cut = cells_.cutFaces();
+    flux = (1 - cut)*flux + cut*fluxOfOpen/max(cells_.open(), scalar(SMALL));
+
+    // Of a face that is closed, the grain's
+    using resolvedFace::at;
+    for (const cutCells::part& x : cells_.parts())
+    {
+        if (at(cells_.open(), x.patch, x.face) == 0)
+        {
+            at(flux, x.patch, x.face) =
+                motion_[x.grain].velocity & at(mesh_.Sf(), x.patch, x.face);
+        }
+    }
+}
+
+
+void Foam::cutGrains::correctForce
+(
+    const surfaceScalarField& faceForce,
+    const surfaceScalarField&,
+    const volScalarField&,
+    const forceOfGrains&,
+    volVectorField& gradient
+)
+{
+    if (!isActive())
+    {
+        return;
+    }
+    gradient_ = new surfaceScalarField("gradientOfFaces", faceForce);
+
+    // Of a face that is closed: counts for a cell that has no other in a direction
+    constexpr scalar least = 1e-6;
+
+    const surfaceVectorField weighted
+    (
+        max(cells_.open(), least)*mesh_.Sf()/mesh_.magSf()
+    );
+    const volVectorField inOpen
+    (
+        inv(fvc::surfaceSum(weighted*mesh_.Sf()))
+      & fvc::surfaceSum(weighted*faceForce)
+    );
+    const volVectorField inAll(reconstructed(faceForce));
+    const scalarField& open = cells_.fluid();
+    for (const cutCells::wall& x : cells_.walls())
+    {
+        const label c = x.cell;
+        gradient[c] = open[c] > 0 ? inOpen[c] : vector(Zero);
+        pressure_[c] = mesh_.V()[c]*(open[c]*gradient[c] - inAll[c]);
+    }
+}
+
+
+void Foam::cutGrains::correctMotion
+(
+    volVectorField& U,
+    const surfaceScalarField&,
+    const surfaceScalarField&
+)
+{
+    if (!isActive())
+    {
+        return;
+    }
+    if (!grains_.motion().isFixed())
+    {
+        moveGrains(U);
+    }
+    sumLinks();
+    forAll(cover_, celli)
+    {
+        if (cover_[celli] >= 0)
+        {
+            U[celli] = velocityIn(celli);
+        }
+    }
+}
+
+
+void Foam::cutGrains::moveGrains(volVectorField& U)
+{
+    setRemainder(U);
+    vectorField force(grains_.size(), Zero);
+    addForceOfCells(U, force);
+    sumOverRanks(force);
+
+    const List<grainMotion::twist> last(motion_);
+    const scalar deltaT = mesh_.time().deltaTValue();
+    forAll(motion_, graini)
+    {
+        const scalar inertia = grains_.motion().mass(graini)/deltaT;
+        motion_[graini].velocity =
+            (
+                inertia*free_[graini].velocity
+              + resists_[graini]*last[graini].velocity
+              + force[graini]
+            )
+           /(inertia + resists_[graini]);
+    }
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        const label graini = walls[i].grain;
+        U[walls[i].cell] +=
+            follows(i)*(motion_[graini].velocity - last[graini].velocity);
+    }
+}

@@ -1,0 +1,153 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutGrains.H"
+
+#include "combineOverRanks.H"
+#include "meanOverGrains.H"
+
+void Foam::cutGrains::addForce
+(
+    const volVectorField& U,
+    vectorField& force
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const overlapList& overlaps = grains_.overlaps();
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            force[graini] += weight_.force(o.volume, o.cell);
+        }
+    }
+
+    addForceOfCells(U, force);
+}
+
+
+void Foam::cutGrains::addForceOfCells
+(
+    const volVectorField& U,
+    vectorField& force
+) const
+{
+    const List<cutCells::wall>& walls = cells_.walls();
+    boolList hasWall(mesh_.nCells(), false);
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        hasWall[x.cell] = true;
+        force[x.grain] +=
+            x.share*(pressure_[x.cell] + remainder_[x.cell])
+          + link_[i]*(U[x.cell] - velocityAt(x));
+    }
+    forAll(remainder_, celli)
+    {
+        if (!hasWall[celli] && oldGrain_[celli] >= 0)
+        {
+            force[oldGrain_[celli]] += remainder_[celli];
+        }
+    }
+}
+
+
+void Foam::cutGrains::setRemainder(const volVectorField& U)
+{
+    const volVectorField& Uold = U.oldTime();
+    const scalar deltaT = mesh_.time().deltaTValue();
+    const scalarField& V = mesh_.V();
+    const scalarField& fluid = cells_.fluid();
+    const scalarField& rho = fluid_.rho();
+    forAll(remainder_, celli)
+    {
+        const label now = label(lastGrain_[celli]);
+        const label graini = now >= 0 ? now : oldGrain_[celli];
+        if (graini >= 0)
+        {
+            const vector& v = motion_[graini].velocity;
+            remainder_[celli] =
+              - rho[celli]*(fluid[celli] - oldFluid_[celli])*V[celli]/deltaT
+               *(Uold[celli] - v)
+              - outflow_[celli]*(U[celli] - v);
+        }
+    }
+}
+
+
+Foam::vector Foam::cutGrains::forceOfCell
+(
+    const label celli,
+    const vector& U,
+    const vector& gradP
+) const
+{
+    if (!isActive())
+    {
+        return Zero;
+    }
+    const scalar open = cells_.fluid()[celli];
+    return
+        pressure_[celli] + remainder_[celli] + resistance_[celli]*U - pull_[celli]
+      + (open > 0 ? (1 - open)*mesh_.V()[celli] : 0)*gradP;
+}
+
+
+void Foam::cutGrains::sumLinks()
+{
+    resistance_.resize(mesh_.nCells());
+    resistance_ = Zero;
+    pull_.resize(mesh_.nCells());
+    pull_ = Zero;
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        resistance_[x.cell] += link_[i];
+        pull_[x.cell] += link_[i]*velocityAt(x);
+    }
+}
+
+
+void Foam::cutGrains::addViscousTorque
+(
+    const volVectorField& U,
+    const surfaceScalarField&,
+    vectorField& torque
+) const
+{
+    if (!isActive())
+    {
+        return;
+    }
+    vectorField viscous(grains_.size(), Zero);
+    scalarField resistance(grains_.size(), Zero);
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        viscous[x.grain] += link_[i]*(x.arm ^ (U[x.cell] - velocityAt(x)));
+        resistance[x.grain] += link_[i]*magSqr(x.arm);
+    }
+    sumOverRanks(viscous);
+    sumOverRanks(resistance);
+
+    // A rotation of all has no stress; implicit in the spin
+    const scalarField mu(meanOverGrains(grains_, fluid_.mu()));
+    const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
+    forAll(torque, graini)
+    {
+        const scalar V = grains_.mappedVolume()[graini];
+        const scalar inertia =
+            V*grains_.motion().density(graini)
+           *squaredGyration*sqr(grains_.fluidDiameter(graini));
+        torque[graini] +=
+            (viscous[graini] - 2*mu[graini]*V*motion_[graini].spin)
+           /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
+    }
+}

@@ -15,7 +15,7 @@ from droplet_box import (
     with_droplets,
 )
 from grain_box import control, grain_box, replace
-from heat_box import with_heat
+from heat_box import GRAINS, with_heat
 
 CSV = "constant/droplets.csv"
 HEAD = "x,y,z,radius\n"
@@ -92,6 +92,12 @@ BAD = {
     "capacity of the gas": (
         lambda case: replace(case, FLUID, f"Cp {GAS_CP};", "Cp polynomial ((1000 0));"),
         "a number > 0, as grainDropletFoam",
+    ),
+    "resolved grains": (
+        lambda case: replace(
+            case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type locked; }"
+        ),
+        "none, as the flow is resolved around droplets",
     ),
     "late outside": (late("0.5,0.5,0.005,0.02\n"), "outside the mesh"),
     "late without time": (add("releases { r { droplets { type csv; } } }"), "'time'"),

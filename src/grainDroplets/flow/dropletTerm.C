@@ -7,6 +7,7 @@
 
 #include "cellSizes.H"
 #include "combineOverRanks.H"
+#include "dictionaryInput.H"
 #include "implicitTransfer.H"
 
 
@@ -26,12 +27,25 @@ Foam::dropletTerm::dropletTerm
 
 void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
 {
+    const dictionary& coupling = grains.motion().coupling();
+    const dictionary& resolved = coupling.subOrEmptyDict("resolvedGrains");
+    const word type(resolved.getOrDefault<word>("type", "none"));
+    if (type != "none")
+    {
+        dictionaryInput::badValue
+        (
+            resolved, "type", type,
+            "none, as the flow is resolved around droplets and not around"
+            " grains"
+        );
+    }
+
     const scalar most = 4*gMin(cellSizes(grains.mesh()));
     for (label i = 0; i < grains.size(); ++i)
     {
         if (grains.fluidDiameter(i) >= most)
         {
-            FatalIOErrorInFunction(grains.motion().coupling())
+            FatalIOErrorInFunction(coupling)
                 << "Keyword 'initialGrains' of constant/grainProperties: grain "
                 << grains.motion().id(i) << " has a diameter of "
                 << grains.fluidDiameter(i) << " m" << nl

@@ -8,6 +8,7 @@ import shlex
 import shutil
 import subprocess
 from pathlib import Path
+from time import sleep
 
 import grainplot
 import numpy as np
@@ -66,6 +67,20 @@ class Case:
     def parallel(self, program, ranks, **options):
         """Run an OpenFOAM program on a case that decomposePar has divided."""
         return self.run(f"mpirun --oversubscribe -np {ranks} {program} -parallel", **options)
+
+    def kill(self, program, time):
+        """Run a program and kill it (-9) as soon as it has written a time."""
+        process = subprocess.Popen(
+            [program],
+            cwd=self.path,
+            env=os.environ | {"PWD": str(self.path)},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        while not (self.path / time).exists() and process.poll() is None:
+            sleep(0.01)
+        process.kill()
+        process.wait()
 
     def dict_set(self, file, entry, value):
         """Set an entry, e.g. ("0/T", "boundaryField/walls/type", "zeroGradient"), or add it."""

@@ -2,11 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Droplets across cyclic sides, after a kill, in moving frames, and to the last drop."""
 
-import os
-import signal
-import subprocess
-import time
-
 import numpy as np
 import pytest
 from droplet_box import (
@@ -63,17 +58,7 @@ def test_a_killed_run_continues(clone):
     for case in (whole, killed):
         control(case, writeInterval=5)
     whole.run("grainDropletFoam")
-    process = subprocess.Popen(
-        ["grainDropletFoam"],
-        cwd=killed.path,
-        env=os.environ | {"PWD": str(killed.path)},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    while not (killed.path / "0.01").exists() and process.poll() is None:
-        time.sleep(0.01)
-    process.send_signal(signal.SIGKILL)
-    process.wait()
+    killed.kill("grainDropletFoam", "0.01")
     assert killed.times[-1] != whole.times[-1]
     killed.run("grainDropletFoam")
     assert killed.times[-1] == whole.times[-1]

@@ -47,6 +47,13 @@ def late(rows):
     return change
 
 
+def resolve(entries):
+    coupling = "\ncoupling\n{"
+    return lambda case: replace(
+        case, GRAINS, coupling, f"{coupling} resolvedGrains {{ {entries} }}"
+    )
+
+
 BAD = {
     "cold": (swap("boilingTemperature 373.15", "boilingTemperature 400"), "'boilingTemperature'"),
     "no latent heat": (swap("latentHeat 2260000.0;", ""), "'latentHeat'"),
@@ -93,12 +100,8 @@ BAD = {
         lambda case: replace(case, FLUID, f"Cp {GAS_CP};", "Cp polynomial ((1000 0));"),
         "a number > 0, as grainDropletFoam",
     ),
-    "resolved grains": (
-        lambda case: replace(
-            case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type locked; }"
-        ),
-        "none, as the flow is resolved around droplets",
-    ),
+    "resolved grains": (resolve("type cutCells;"), "none, as the flow is resolved around droplets"),
+    "resolved from two cells": (resolve("from 2;"), "none, as the flow is resolved around"),
     "late outside": (late("0.5,0.5,0.005,0.02\n"), "outside the mesh"),
     "late without time": (add("releases { r { droplets { type csv; } } }"), "'time'"),
     "late unknown": (add("releases { r { time 1; when 2; } }"), "'when'"),

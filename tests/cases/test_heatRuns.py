@@ -2,11 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Heat in runs that stop and continue, on several ranks, of clusters and in cyclic boxes."""
 
-import os
-import signal
-import subprocess
-import time
-
 import numpy as np
 import pytest
 from grain_box import (
@@ -70,17 +65,7 @@ def test_a_killed_run_continues(clone):
     for case in (whole, killed):
         control(case, endTime=0.06, writeInterval=5)
     whole.run("grainThermalFoam")
-    process = subprocess.Popen(
-        ["grainThermalFoam"],
-        cwd=killed.path,
-        env=os.environ | {"PWD": str(killed.path)},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    while not (killed.path / "0.01").exists() and process.poll() is None:
-        time.sleep(0.01)
-    process.send_signal(signal.SIGKILL)
-    process.wait()
+    killed.kill("grainThermalFoam", "0.01")
     assert killed.times[-1] != whole.times[-1]
     killed.run("grainThermalFoam")
     assert_same_grains(whole, killed)

@@ -28,13 +28,16 @@ Foam::dropletTerm::dropletTerm
 void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
 {
     const dictionary& coupling = grains.motion().coupling();
-    const dictionary& resolved = coupling.subOrEmptyDict("resolvedGrains");
-    const word type(resolved.getOrDefault<word>("type", "none"));
+    const dictionary* resolved = coupling.findDict("resolvedGrains");
+    const word type
+    (
+        resolved ? resolved->getOrDefault<word>("type", "locked") : "none"
+    );
     if (type != "none")
     {
         dictionaryInput::badValue
         (
-            resolved, "type", type,
+            *resolved, "type", type,
             "none, as the flow is resolved around droplets and not around"
             " grains"
         );

@@ -26,7 +26,7 @@ dynamicRefineFvMeshCoeffs
     nBufferLayers   1;
     maxRefinement   1;
     maxCells        100000;
-    correctFluxes   ((phi none) (phiU none) (phiAlpha none) (phiFluid none));
+    correctFluxes   ((phi none) (phiU none) (phiFluid none));
     dumpLevel       true;
 }
 """

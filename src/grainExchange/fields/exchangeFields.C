@@ -83,6 +83,7 @@ Foam::exchangeFields::exchangeFields
     b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
     G(zeroField<vector>(mesh, "G", dimVelocity)),
     K(zeroField<scalar>(mesh, "K", dimTime/dimDensity)),
+    mobile(zeroField<scalar>(mesh, "mobile", dimless)),
     passing(zeroField<scalar>(mesh, "passing", dimless)),
     passingG(zeroField<vector>(mesh, "passingG", dimVelocity)),
     bBeside(zeroField<vector>(mesh, "bBeside", dimForce/dimVolume)),
@@ -99,6 +100,7 @@ void Foam::exchangeFields::clear()
     b = dimensionedVector(b.dimensions(), Zero);
     G = dimensionedVector(G.dimensions(), Zero);
     K = dimensionedScalar(K.dimensions(), Zero);
+    mobile = dimensionedScalar(mobile.dimensions(), Zero);
     passing = dimensionedScalar(passing.dimensions(), Zero);
     passingG = dimensionedVector(passingG.dimensions(), Zero);
     bBeside = dimensionedVector(bBeside.dimensions(), Zero);
@@ -113,6 +115,7 @@ void Foam::exchangeFields::smooth(const voidFractionMethod& method)
     method.smooth(b.primitiveFieldRef());
     method.smooth(G.primitiveFieldRef());
     method.smooth(K.primitiveFieldRef());
+    method.smooth(mobile.primitiveFieldRef());
 }
 
 
@@ -123,6 +126,7 @@ void Foam::exchangeFields::correctBoundaryConditions()
     correctPatches(b, freePatches);
     correctPatches(G, freePatches);
     correctPatches(K, freePatches);
+    correctPatches(mobile, freePatches);
     correctPatches(passing, freePatches);
     correctPatches(passingG, freePatches);
     correctPatches(bBeside, freePatches);

@@ -86,6 +86,7 @@ void Foam::unresolvedTerm::predict
     const scalarField& V = grains_.mesh().V();
 
     transfer_.resize(overlaps.size());
+    const bool isFixed = grains_.motion().isFixed();
     setKnownForce(U);
     undisturbed_.set(grains_, resolved, fluid_, cellEps, U, *drag_);
 
@@ -143,6 +144,7 @@ void Foam::unresolvedTerm::predict
             fields.beta[o.cell] += wag;
             fields.b[o.cell] += wag*t.free - w*e;
             fields.G[o.cell] += wa*t.free;
+            fields.mobile[o.cell] += isFixed ? 0 : wa;
             fields.passing[o.cell] += covers ? w : wa;
             fields.passingG[o.cell] += (covers ? w : wa)*t.free;
             if (!covers)

@@ -38,7 +38,25 @@ tmp<volScalarField> leastA
 }
 
 
-//- Flux of a face less that of its cells, at the beginning of the step, per time
+//- Share of the volume that moves with what the face does, times the share of the
+//  pressure gradient that moves it
+tmp<volScalarField> shareOf
+(
+    const stepCoefficients& step,
+    const exchangeFields& grains
+)
+{
+    const volScalarField moves(step.alpha + grains.mobile);
+    if (grains.gradientOnGrains)
+    {
+        return sqr(moves);
+    }
+    return tmp<volScalarField>(moves);
+}
+
+
+//- Flux of a face less that of its cells, both weighted by what moves with the
+//  fluid, at the beginning of the step, per time
 tmp<surfaceScalarField> changeOfOldFlux
 (
     const volScalarField& A,
@@ -50,6 +68,7 @@ tmp<surfaceScalarField> changeOfOldFlux
 )
 {
     const dimensionedScalar& deltaT = rho.time().deltaT();
+    const surfaceScalarField alphaf(fvc::interpolate(step.alpha));
     if (resolved.isActive())
     {
         // Drag and viscosity bring the flux of a face to that of its cells.  With
@@ -57,9 +76,21 @@ tmp<surfaceScalarField> changeOfOldFlux
         // the time step (doc/theory, eq. 3.14).
         return
             fvc::interpolate(leastInertia(step, rho)/(A*deltaT))
-           *(phiU.oldTime() - fvc::flux(U.oldTime()))/deltaT;
+           *(phiU.oldTime() - fvc::flux(step.alpha*U.oldTime())/alphaf)/deltaT;
     }
-    return fvc::ddtCorr(U, phiU);
+
+    // The same difference for OpenFOAM, which takes the mean of the cells
+    surfaceScalarField toMean("toMean", phiU);
+    const auto shift = [&](surfaceScalarField& flux, const volVectorField& u)
+    {
+        flux += fvc::flux(u) - fvc::flux(step.alpha*u)/alphaf;
+    };
+    shift(toMean.oldTime(), U.oldTime());
+    if (toMean.nOldTimes() > 1 && U.nOldTimes() > 1)
+    {
+        shift(toMean.oldTime().oldTime(), U.oldTime().oldTime());
+    }
+    return fvc::ddtCorr(U, toMean);
 }
 
 }
@@ -77,45 +108,46 @@ Foam::faceMomentum::faceMomentum
 :
     fluidA("fluidA", UEqn.A() - grains.beta),
     A("A", max(fluidA, leastA(step, rho))),
-    rAf("rAf", fvc::interpolate(step.eps*step.alpha*step.share/A)),
-    drag("drag", fvc::interpolate(step.eps) + rAf*step.betaf),
+    share
+    (
+        "share",
+        shareOf(step, grains)/(A + (1 - step.eps)*rho/rho.time().deltaT())
+    ),
+    sharef("sharef", fvc::interpolate(share)),
+    perForce
+    (
+        "perForce",
+        1
+       /(
+            max(step.alpha, exchangeFields::epsMin)*step.share
+          + grains.K*(A + grains.beta)
+        )
+    ),
     inertiaFlux
     (
         "inertiaFlux",
-        fvc::interpolate(rho*sqr(step.eps)*step.alpha/A)
+        fvc::interpolate(share*perForce*step.alpha*step.eps*rho)
        *changeOfOldFlux(A, step, resolved, UEqn.psi(), rho, phiU)
     ),
-    rAUf("rAUf", rAf/drag),
+    perShare
+    (
+        "perShare",
+        1
+       /(
+            fvc::interpolate(share*perForce*A)
+          + sharef*fvc::interpolate(perForce*grains.beta)
+        )
+    ),
+    rAUf("rAUf", sharef*perShare),
     mobility("mobility", rAUf),
     diffusivity("diffusivity", rAUf),
-    part(resolved.partOfSurface(grains)),
-    phiGrains
-    (
-        "phiGrains", (1 - resolved.lockedFaces())*fvc::flux(grains.G)
-    )
+    part(resolved.partOfSurface(grains))
 {
     resolved.startCorrections
     (
         leastInertia(step, rho)/rho.time().deltaT(), A, step.betaf, rAUf
     );
-    if (resolved.isPassable())
-    {
-        // One cell after the other, each with its own mobility: fluid and grains
-        const volScalarField laden(pos(1 - step.eps - resolved.locked() - SMALL));
-        mixed = (1 - resolved.lockedFaces())*pos(fvc::interpolate(laden) - SMALL);
-        cellMobility = step.alpha*step.share/(A + grains.beta) + grains.K;
-        rAUf =
-            (1 - mixed())*rAUf
-          + mixed()/fvc::interpolate(1/cellMobility());
-        phiGrains *= 1 - mixed();
-    }
-
-    // Beside a body the flux is that of the mixture
-    mobility = rAUf + (1 - resolved.lockedFaces())*fvc::interpolate(grains.K);
-    if (mixed.valid())
-    {
-        mobility = (1 - mixed())*mobility + mixed()*rAUf;
-    }
+    mobility = rAUf;
     if (part.valid())
     {
         mobility = part()*mobility;
@@ -130,31 +162,18 @@ Foam::faceMomentum::faceMomentum
 }
 
 
-void Foam::faceMomentum::mix
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::fluxWithoutPressure
 (
-    const volVectorField& momentum,
-    const stepCoefficients& step,
-    const exchangeFields& grains,
-    surfaceScalarField& flux
+    const volVectorField& HbyA,
+    const volScalarField& alpha,
+    const exchangeFields& grains
 ) const
 {
-    if (!mixed.valid())
-    {
-        return;
-    }
-    const volScalarField perForce
-    (
-        step.alpha/(A + grains.beta)/cellMobility()
-    );
-    const surfaceScalarField changeOfOld
-    (
-        inertiaFlux/fvc::interpolate(step.inertia*step.eps*step.alpha/A)
-    );
-    flux =
-        (1 - mixed())*flux
-      + mixed()*rAUf
+    return
+        perShare
        *(
-            fvc::flux(perForce*(momentum + grains.b) + grains.G/cellMobility())
-          + fvc::interpolate(perForce*step.inertia)*changeOfOld
+            fvc::flux(share*perForce*A*(alpha*HbyA + grains.G))
+          + sharef*fvc::flux(perForce*(alpha*grains.b + grains.beta*grains.G))
+          + inertiaFlux
         );
 }

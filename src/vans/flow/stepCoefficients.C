@@ -33,58 +33,20 @@ tmp<Field> inLocked(const resolvedTerm& resolved, const Field& locked, const Fie
 
 
 //- Of the mesh's faces, none if it does not move
-surfaceScalarField throughFaces
+tmp<surfaceScalarField> throughFaces
 (
-    const volScalarField& alpha,
     const volScalarField& eps,
     const vansFields& fields,
     const resolvedTerm& resolved
 )
 {
-    surfaceScalarField flux
-    (
-        "phiEps",
-        resolved.isPassable()
-      ? fvc::interpolate(eps)*convectingFlux(fields.phiU)
-      : resolved.onFaces
-        (
-            fvc::interpolate(eps/alpha)*convectingFlux(fields.phiAlpha),
-            fvc::interpolate(eps)*convectingFlux(fields.phi)
-        )
-    );
+    surfaceScalarField velocity(convectingFlux(fields.phiU));
     if (eps.mesh().moving())
     {
-        flux -= fvc::interpolate(eps)*eps.mesh().phi();
+        velocity -= eps.mesh().phi();
     }
-    return flux;
-}
-
-
-volScalarField stillShare
-(
-    const exchangeFields& grains,
-    const resolvedTerm& resolved,
-    const volScalarField& perFlux
-)
-{
-    const scalar passes = resolved.isPassable() ? 1 : 0;
-    return 1/(1 + passes*perFlux*grains.K);
-}
-
-
-volVectorField forceAtRest
-(
-    const exchangeFields& grains,
-    const resolvedTerm& resolved,
-    const volScalarField& share,
-    const volScalarField& perFlux
-)
-{
-    if (!resolved.isPassable())
-    {
-        return grains.b/share;
-    }
-    return grains.b/share + perFlux*grains.G;
+    const surfaceScalarField epsf(fvc::interpolate(eps));
+    return resolved.fluxOfVolume(epsf, velocity, convectingFlux(fields.phiOpen));
 }
 
 }
@@ -121,15 +83,11 @@ Foam::stepCoefficients::stepCoefficients
     epsOpen("epsOpen", grains.fluidShare + resolved.locked()),
     alpha(alphaOf(grains)),
     share(shareOf(grains, alpha)),
-    still
-    (
-        "still",
-        stillShare(grains, resolved, grains.beta/(alpha*share))
-    ),
+    still("still", 1/(1 + grains.K*grains.beta/(alpha*share))),
     bByShare
     (
         "bByShare",
-        still*forceAtRest(grains, resolved, share, grains.beta/(alpha*share))
+        still*(grains.b/share + grains.G*grains.beta/(alpha*share))
     ),
     betaByShare("betaByShare", still*grains.beta/(alpha*share)),
     phib
@@ -150,7 +108,7 @@ Foam::stepCoefficients::stepCoefficients
             fvc::interpolate(inLocked(resolved, betaByShare, grains.betaBeside))
         )
     ),
-    phiEps(throughFaces(alpha, epsOpen, fields, resolved)),
+    phiEps("phiEps", throughFaces(epsOpen, fields, resolved)),
     inertia("inertia", fluid.inertia(eps)),
     massFlux(fluid.massFlux(eps, phiEps)),
     mu

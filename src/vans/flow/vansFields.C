@@ -62,9 +62,9 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     p_rgh(at(mesh, "p_rgh", IOobject::MUST_READ), mesh),
     U(at(mesh, "U", IOobject::MUST_READ), mesh),
     phiU(at(mesh, "phiU", IOobject::READ_IF_PRESENT), fvc::flux(U)),
-    phiAlpha(at(mesh, "phiAlpha", IOobject::READ_IF_PRESENT), phiU),
+    phiOpen(at(mesh, "phiOpen", IOobject::READ_IF_PRESENT), phiU),
     phi(at(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U)),
-    areOfStep(isThere(mesh, "phiAlpha"))
+    areOfStep(isThere(mesh, "phi"))
 {
     dictionaryInput::checkDimensions(U, U.dimensions(), dimVelocity);
     dictionaryInput::checkDimensions(p_rgh, p_rgh.dimensions(), dimPressure);
@@ -72,5 +72,5 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     checkMagnitude(p_rgh, mag(p_rgh.primitiveField()));
     mesh.solverDict(p_rgh.name());
     mesh.divScheme("div(tau)");
-    reportMissingFields(mesh, {"phiU", "phiAlpha", "phi"}, "made from U");
+    reportMissingFields(mesh, {"phiU", "phi"}, "made from U");
 }

@@ -100,9 +100,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
     const volScalarField& eps
 ) const
 {
-    surfaceScalarField share("share", fvc::interpolate(eps/step_->alpha));
     surfaceScalarField open("open", fvc::interpolate(eps));
-    forAll(share.boundaryField(), patchi)
+    forAll(open.boundaryField(), patchi)
     {
         // Where grains do not cross the boundary, all that does is fluid
         if
@@ -111,21 +110,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
          && !grains_.freePatches.found(patchi)
         )
         {
-            share.boundaryFieldRef()[patchi] = 1;
             open.boundaryFieldRef()[patchi] = 1;
         }
     }
-    tmp<surfaceScalarField> flux
-    (
-        resolved_.isPassable()
-      ? open*fields_.phiU
-      : resolved_.onFaces(share*fields_.phiAlpha, open*fields_.phi)
-    );
-    if (mesh_.moving())
-    {
-        flux.ref() -= open*mesh_.phi();
-    }
-    return flux;
+    return resolved_.fluxOfVolume(open, relativePhiU(), fields_.phiOpen);
 }
 
 

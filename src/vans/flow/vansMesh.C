@@ -43,17 +43,9 @@ void Foam::vansFlow::beforeMeshChange()
     // old time is asked for would have the changed one as its old time
     keepOldTime(fields_.U);
     keepOldTime(fields_.phiU);
-    keepOldTime(fields_.phiAlpha);
     keepOldTime(fields_.phi);
 
     faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
-    faceAlphaU_.reset
-    (
-        withFlux
-        (
-            stepCoefficients::alphaOf(grains_)*fields_.U, fields_.phiAlpha
-        ).ptr()
-    );
     faceMixtureU_.reset(withFlux(fields_.U, fields_.phi).ptr());
     step_.clear();
     UEqn_.clear();
@@ -69,22 +61,17 @@ void Foam::vansFlow::meshChanged()
     // The fluxes of the step's beginning, through the faces as they are now
     if (mesh_.topoChanging())
     {
-        const volScalarField alpha(stepCoefficients::alphaOf(grains_));
         fields_.phiU.oldTime() = fvc::flux(fields_.U);
-        fields_.phiAlpha.oldTime() = fvc::flux(alpha*fields_.U);
         fields_.phi.oldTime() = fvc::flux(fields_.U);
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
     }
     else
     {
         fields_.phiU.oldTime() = mesh_.Sf() & faceU_();
-        fields_.phiAlpha.oldTime() = mesh_.Sf() & faceAlphaU_();
         fields_.phi.oldTime() = mesh_.Sf() & faceMixtureU_();
     }
     fields_.phiU = fields_.phiU.oldTime();
-    fields_.phiAlpha = fields_.phiAlpha.oldTime();
     fields_.phi = fields_.phi.oldTime();
     faceU_.clear();
-    faceAlphaU_.clear();
     faceMixtureU_.clear();
 }

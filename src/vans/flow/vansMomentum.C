@@ -131,27 +131,17 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
     // flux that is made from U, through a cell that a fixed grain covers, the drag
     // would be boundless: the gradient holds none of it yet.
     const stepCoefficients& step = *step_;
-    const surfaceScalarField flux
-    (
-        "flux",
-        resolved_.isPassable()
-      ? tmp<surfaceScalarField>(fields_.phi)
-      : resolved_.onFaces(fields_.phiAlpha, fields_.phi)
-    );
+    const surfaceScalarField& flux = fields_.phi;
     const scalar kinks = fields_.areOfStep ? 1 : 0;
 
     surfaceScalarField faceForce("faceForce", gradient - kinks*step.phib);
     resolved_.correctFaceForce(faceForce);
     faceForce += kinks*step.betaf*flux;
 
-    // Only where the mixture's flux is that of the faces it is not 1
     const volScalarField still("still", kinks*step.still + (1 - kinks));
-    if (resolved_.isPassable())
-    {
-        faceForce /=
-            (1 - resolved_.lockedFaces())*fvc::interpolate(still)
-          + resolved_.lockedFaces();
-    }
+    faceForce /=
+        (1 - resolved_.lockedFaces())*fvc::interpolate(still)
+      + resolved_.lockedFaces();
 
     const volVectorField b("b", kinks*step.bByShare);
     const volScalarField beta("beta", kinks*step.betaByShare);
@@ -179,7 +169,7 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
         resolved_.correctForce
         (
             faceForce,
-            fields_.phi,
+            flux,
             step.eps*fluid_.rho(),
             {flux, still, b, beta, atLocked},
             result

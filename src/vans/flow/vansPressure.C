@@ -57,7 +57,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
     const volVectorField& H
 ) const
 {
-    const stepCoefficients& step = *step_;
     const faceMomentum& faces = *faces_;
     const volVectorField& U = fields_.U;
 
@@ -71,22 +70,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
         )
     );
 
-    tmp<surfaceScalarField> tflux
-    (
-        new surfaceScalarField
-        (
-            "phiHbyA",
-            (
-                fvc::flux(step.eps*step.alpha*HbyA)
-              + faces.inertiaFlux
-              + faces.rAf*step.phib
-            )/faces.drag
-        )
+    tmp<surfaceScalarField> tflux(
+        faces.fluxWithoutPressure(HbyA, step_->alpha, grains_)
     );
-    faces.mix(faces.A*HbyA, step, grains_, tflux.ref());
     resolved_.correctFlux
     (
-        faces.A*HbyA, fields_.phi.oldTime(), U, step.phib, tflux.ref()
+        faces.A*HbyA, fields_.phi.oldTime(), U, step_->phib, tflux.ref()
     );
     return tflux;
 }
@@ -103,7 +92,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     const volVectorField& U = fields_.U;
     const tmp<surfaceScalarField>& force = step_->faceForce;
 
-    surfaceScalarField phiMixture("phiMixture", phiHbyA + faces.phiGrains);
+    surfaceScalarField phiMixture("phiMixture", phiHbyA);
     if (faces.part.valid())
     {
         phiMixture = faces.part()*phiMixture;
@@ -164,36 +153,22 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
         tgradient.ref() += force();
     }
 
-    fields_.phiAlpha = phiHbyA - faces.rAUf*tgradient();
-    fields_.phiU = fvc::interpolate(1/step_->alpha)*fields_.phiAlpha;
-    if (resolved_.isActive())
-    {
-        // At a body the flux is that of its surface, and fluid beside it moves so
-        const surfaceScalarField& locked = resolved_.lockedFaces();
-        const surfaceScalarField ofFluid
-        (
-            fvc::interpolate(step_->alpha)*fields_.phiAlpha
-        );
-        fields_.phi += locked*(fields_.phiAlpha - fields_.phi);
-        fields_.phiU += locked*(fields_.phiAlpha - fields_.phiU);
-        fields_.phiAlpha += locked*(ofFluid - fields_.phiAlpha);
-    }
-    if (faces.mixed.valid())
-    {
-        fields_.phi +=
-            faces.mixed()*(phiHbyA - faces.rAUf*tgradient() - fields_.phi);
-        const surfaceScalarField ofFluid
+    fields_.phiOpen = phiHbyA - faces.rAUf*tgradient();
+    fields_.phiU =
         (
             fields_.phi
           - fvc::flux(grains_.G)
           + fvc::interpolate(grains_.K)*tgradient()
-        );
-        fields_.phiAlpha += faces.mixed()*(ofFluid - fields_.phiAlpha);
-        fields_.phiU +=
-            faces.mixed()
-           *(ofFluid/fvc::interpolate(step_->alpha) - fields_.phiU);
+        )
+       /fvc::interpolate(step_->alpha);
+    if (resolved_.isActive())
+    {
+        // At a body the flux is that of its surface, and fluid beside it moves so
+        const surfaceScalarField& locked = resolved_.lockedFaces();
+        fields_.phi += locked*(fields_.phiOpen - fields_.phi);
+        fields_.phiU += locked*(fields_.phiOpen - fields_.phiU);
     }
-    resolved_.correctFaceVelocity(fields_.phiAlpha, fields_.phiU);
+    resolved_.correctFaceVelocity(fields_.phiOpen, fields_.phiU);
     fields_.areOfStep = true;
     return tgradient;
 }

@@ -84,8 +84,11 @@ int main(int argc, char *argv[])
 
     vansFields fields(mesh);
     const volScalarField& eps = exchange.fields.fluidShare;
-    fields.phiAlpha = fvc::flux((eps + exchange.fields.kappa)*fields.U);
-    fields.phi = fields.phiAlpha + fvc::flux(exchange.fields.G);
+    fields.phi =
+        fvc::flux
+        (
+            (eps + exchange.fields.kappa)*fields.U + exchange.fields.G
+        );
     vansFlow flow
     (
         fields, fluid, viscosity(), exchange.fields, resolved,

@@ -1,8 +1,12 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Grains and fluid of one velocity keep it, whatever the grains' size and density."""
 
+import foamlib
 import numpy as np
 import pytest
 from grain_box import control, cyclic_box, replace, write_csv
+from sphere_box import sphere_box
 
 SPEED, CELL = 0.25, 0.01
 
@@ -25,3 +29,22 @@ def test_one_grain(clone, diameter, density):
     case.run("grainFoam")
     U = case.field("U")
     np.testing.assert_allclose(U, np.broadcast_to([SPEED, 0, 0], U.shape), atol=1e-9 * SPEED)
+
+
+@pytest.mark.parametrize("mesh", ["tetrahedra", "warped"])
+# In edges of cells
+@pytest.mark.parametrize("diameter", [0.7, 1.5])
+def test_a_sphere_in_cells_of_other_kinds(clone, mesh, diameter):
+    velocity = np.array([SPEED, 0.4 * SPEED, -0.3 * SPEED])
+    side, n = 0.1, 8
+    case = sphere_box(
+        clone, [(0.051, 0.047, 0.055)], diameter * side / n / 2, mesh, n, velocity=[velocity]
+    )
+    text = " ".join(map(repr, velocity.tolist()))
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform ({text})")
+    replace(case, "0/U", "noSlip", f"fixedValue; value uniform ({text})")
+    replace(case, "constant/g", "(0 0 -9.81)", "(0 0 0)")
+    control(case, deltaT=0.1 * side / n / SPEED, endTime=side / n / SPEED, writeInterval=10)
+    case.run("grainFoam")
+    U = np.asarray(foamlib.FoamFieldFile(case.path / case.times[-1] / "U").internal_field)
+    np.testing.assert_allclose(U, np.broadcast_to(velocity, U.shape), atol=1e-8 * SPEED)

@@ -46,12 +46,8 @@ tmp<volScalarField> shareOf
     const exchangeFields& grains
 )
 {
-    const volScalarField moves(step.alpha + grains.mobile);
-    if (grains.gradientOnGrains)
-    {
-        return sqr(moves);
-    }
-    return tmp<volScalarField>(moves);
+    tmp<volScalarField> moves(step.alpha + grains.mobile);
+    return grains.gradientOnGrains ? sqr(moves) : moves;
 }
 
 

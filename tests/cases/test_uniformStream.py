@@ -32,8 +32,8 @@ def test_one_grain(clone, diameter, density):
 
 
 @pytest.mark.parametrize("mesh", ["tetrahedra", "warped"])
-# In edges of cells
-@pytest.mark.parametrize("diameter", [0.7, 1.5])
+# In edges of cells, the last one resolved
+@pytest.mark.parametrize("diameter", [0.7, 1.5, 5])
 def test_a_sphere_in_cells_of_other_kinds(clone, mesh, diameter):
     velocity = np.array([SPEED, 0.4 * SPEED, -0.3 * SPEED])
     side, n = 0.1, 8

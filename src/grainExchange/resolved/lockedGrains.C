@@ -7,6 +7,9 @@
 
 #include "fvc.H"
 #include "fvm.H"
+#include "gaussLaplacianScheme.H"
+#include "linear.H"
+#include "uncorrectedSnGrad.H"
 #include "warnOfShearedCells.H"
 
 Foam::lockedGrains::lockedGrains
@@ -136,10 +139,19 @@ void Foam::lockedGrains::predict
 
     // Grains move as rigid bodies within the step.  What holds them together is
     // known from then on: it would slow down the correction of the pressure.
+    // Beside the surface gradients of the two velocities differ, even if the
+    // velocities do not: no correction for faces that are not orthogonal.
+    fv::gaussLaplacianScheme<vector, scalar> laplacian
+    (
+        mesh_,
+        tmp<surfaceInterpolationScheme<scalar>>(new linear<scalar>(mesh_)),
+        tmp<fv::snGradScheme<vector>>(new fv::uncorrectedSnGrad<vector>(mesh_))
+    );
     const surfaceScalarField& stiff = cells_.rigidity();
     const fvVectorMatrix rigidity
     (
-        fvm::laplacian(stiff, UEqn.psi()) - fvc::laplacian(stiff, freeU_)
+        laplacian.fvmLaplacian(stiff, UEqn.psi())
+      - laplacian.fvcLaplacian(stiff, freeU_)
     );
     solve(UEqn - rigidity == -pressureForce);
     UEqn -= (rigidity & UEqn.psi());

@@ -3,36 +3,18 @@
 
 // What is refused, and in which words.
 
+#include "Messages.hpp"
 #include "Scene.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace
+namespace errors
 {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Message of the exception E that the action throws.
-template <class E>
-std::string messageOf(const std::function<void()>& action)
-{
-    try
-    {
-        action();
-    }
-    catch (const E& error)
-    {
-        return error.what();
-    }
-    catch (...)
-    {
-        return "another type";
-    }
-    return "nothing was thrown";
-}
 
 std::string refusal(const std::function<void(Scene<2>&)>& spoil)
 {
@@ -40,8 +22,6 @@ std::string refusal(const std::function<void(Scene<2>&)>& spoil)
     spoil(scene);
     return messageOf<std::invalid_argument>([&] { scene.dynamics(); });
 }
-
-}  // namespace
 
 TEST(Grains, WithListsOfDifferentLengthsAreRefused)
 {
@@ -112,7 +92,6 @@ TEST(ContactLaw, OutsideItsRangeIsRefused)
     EXPECT_EQ(refused(&P::restitution, notANumber), "contact table: restitution nan" + of + "between 0 and 1");
     EXPECT_EQ(refused(&P::rolling, -1), "contact table: rolling -1" + of + ">= 0");
     EXPECT_EQ(refused(&P::cohesion, -2), "contact table: cohesion -2" + of + ">= 0");
-    const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(refused(&P::tension, infinity), "contact table: tension inf" + of + ">= 0");
     EXPECT_EQ(refused(&P::cohesionDelay, -3), "contact table: cohesionDelay -3" + of + ">= 0");
 }
@@ -197,3 +176,5 @@ TEST(Step, TooFarForSubStepsIsRefused)
                   .find("too far for sub-steps"),
               std::string::npos);
 }
+
+}  // namespace errors

@@ -9,7 +9,7 @@
 
 #include <stdexcept>
 
-namespace
+namespace massRatios
 {
 
 template <class T>
@@ -53,8 +53,6 @@ void rest(nscd::ContactDynamics<D> dynamics, int mayFail, const char* what)
         EXPECT_GT(x[D - 1], 0.99) << what;
     }
 }
-
-}  // namespace
 
 TYPED_TEST(MassRatio, OfAHeavyGrainOnAColumnIsHeld)
 {
@@ -153,3 +151,5 @@ TYPED_TEST(MassRatio, OfABoxThatShrinksTooFarStopsWithTheReason)
     EXPECT_FALSE(hidden);
     EXPECT_NE(reason.find("has been pressed through wall"), std::string::npos) << reason;
 }
+
+}  // namespace massRatios

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace movingBodies
 {
 
 constexpr double dt = 1e-3;
@@ -54,8 +54,6 @@ Scene<D> rod(double friction, const nscd::Vector<D>& x, double halfLength = 2)
     scene.grains.shape[0] = 0;
     return scene;
 }
-
-}  // namespace
 
 TYPED_TEST(MovingBody, LiftedFloorCarriesAGrain)
 {
@@ -403,3 +401,5 @@ TEST(FreeRotation, OfAClusterConservesAngularMomentumAndNearlyEnergy)
         errorOfLongStep = error;
     }
 }
+
+}  // namespace movingBodies

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace oneGrain
 {
 
 constexpr double dt = 1e-3;
@@ -44,8 +44,6 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
 TYPED_TEST_SUITE(OneGrain, Dimensions);
 
 const double slope = M_PI / 6;
-
-}  // namespace
 
 TYPED_TEST(OneGrain, RollsDownAnInclineWithTheInertiaOfASolidBody)
 {
@@ -179,3 +177,5 @@ TYPED_TEST(OneGrain, ObeysForceAndTorqueWithoutContacts)
     EXPECT_EQ(dynamics.contactImpulse()[0].norm(), 0);
     EXPECT_EQ(dynamics.contactSpinImpulse()[0].norm(), 0);
 }
+
+}  // namespace oneGrain

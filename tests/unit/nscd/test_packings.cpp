@@ -3,6 +3,7 @@
 
 // Packings: counts, solid fractions, no overlaps, reproducibility, refusals.
 
+#include "Messages.hpp"
 #include "Scene.hpp"
 
 #include "nscd/packing/Packing.hpp"
@@ -28,20 +29,6 @@ void expectInsideAndApart(const Box<D>& box, const Vectors<D>& x, const std::vec
             EXPECT_GE((x[i] - x[j]).norm(), (radius[i] + radius[j]) * (1 - 1e-12));
         }
     }
-}
-
-template <class E, class Action>
-std::string messageOf(Action&& action)
-{
-    try
-    {
-        action();
-    }
-    catch (const E& error)
-    {
-        return error.what();
-    }
-    return "nothing was thrown";
 }
 
 const Box<2> square{{-1, 2}, {9, 12}};

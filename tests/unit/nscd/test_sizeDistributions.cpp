@@ -16,7 +16,7 @@ using nscd::Box;
 using nscd::SieveCurve;
 using nscd::SizeDistribution;
 
-namespace
+namespace sizeDistributions
 {
 
 const Box<2> square{{0, 0}, {1, 1}};
@@ -67,8 +67,6 @@ void expectSolidFraction(const SizeDistribution& sizes, const Box<D>& box, doubl
     }
     EXPECT_NEAR(volume, solidFraction, largest);  // of a box of volume 1
 }
-
-}  // namespace
 
 TEST(SizeDistribution, UniformAndConstantAreWhatTheySay)
 {
@@ -174,3 +172,5 @@ TEST(SizeDistribution, RefusesSenselessInput)
     EXPECT_EQ(draw(2, 0.5), "solid fraction 0.5 makes 0 grains in this box");
     EXPECT_EQ(draw(1e-6, 0.5), "solid fraction 0.5 makes 1.59155e+11 grains in this box");
 }
+
+}  // namespace sizeDistributions

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace solvers
 {
 
 constexpr double dt = 1e-3;
@@ -35,8 +35,6 @@ public:
 
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Solvers, Dimensions);
-
-}  // namespace
 
 TYPED_TEST(Solvers, HoldAColumnWithTheWeightAboveEachContact)
 {
@@ -100,3 +98,5 @@ TYPED_TEST(Solvers, MomentumSavesMostSweepsOfAColdDeepColumn)
     }
     EXPECT_LT(4 * sweeps[1], sweeps[0]);
 }
+
+}  // namespace solvers

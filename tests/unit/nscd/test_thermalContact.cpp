@@ -16,7 +16,7 @@ using nscd::ConductanceLaw;
 using nscd::ThermalContact;
 using nscd::ThermalMaterial;
 
-namespace
+namespace thermalContact
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,8 +40,6 @@ double exponent(const ConductanceLaw& law, double force = 1e-3)
 {
     return std::log2(law(withForce(2 * force)) / law(withForce(force)));
 }
-
-}  // namespace
 
 TEST(HertzContact, ObeysTheOtherRelationsOfTheTheory)
 {
@@ -163,3 +161,5 @@ TEST(Conductance, OfARowOfOneSphereIsThatOfTheSphere)
     one.length = 1e-3;
     EXPECT_DOUBLE_EQ(rowOfSpheres(one), spheres(one));
 }
+
+}  // namespace thermalContact

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace triangleScenes
 {
 
 constexpr double dt = 1e-2;
@@ -91,8 +91,6 @@ double agitate(const Surface& surface, double strength)
     }
     return deepest;
 }
-
-}  // namespace
 
 TEST(TriangulatedFloor, IsFeltLikeAPlane)
 {
@@ -280,3 +278,5 @@ TEST(SphereOfTriangles, ShedsSpheresThatFallOnIt)
         EXPECT_LT(x.z(), 0);
     }
 }
+
+}  // namespace triangleScenes

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace verificationStatics
 {
 
 using nscd::Vector;
@@ -93,8 +93,6 @@ void expectImpulses(const Scene<D>& scene, double ofGrains, double ofFloor, doub
     EXPECT_EQ(tops, top);
 }
 
-}  // namespace
-
 TEST(Pyramid, StandsAndFallsOnePerCentAroundItsThresholds)
 {
     const double critical = std::tan(M_PI / 12);
@@ -155,3 +153,5 @@ TEST(ContactWork, WithoutBouncingIsNegativeAndThatOfTheLedger)
     }
     EXPECT_LT(energy, 0.5 * kineticEnergy(scene.grains));
 }
+
+}  // namespace verificationStatics

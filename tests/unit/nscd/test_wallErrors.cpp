@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace wallErrors
 {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -46,8 +46,6 @@ nscd::WallBody<3> body(const Point& spin = Point::Zero())
     made.spin = spin;
     return made;
 }
-
-}  // namespace
 
 TEST(Triangles, WithoutAreaAreRefused)
 {
@@ -138,3 +136,5 @@ TEST(Planes, AcrossAPeriodicBoxAreRefused)
                      "triangles");
     }
 }
+
+}  // namespace wallErrors

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace wallMotion
 {
 
 constexpr double radius = 0.4;
@@ -41,8 +41,6 @@ Surface boxAndFloor()
     addParallelogram(surface, {-3, -3, -1}, {6, 0, 0}, {0, 6, 0}, 3);
     return surface;
 }
-
-}  // namespace
 
 TEST(MovedWalls, MeetAGrainThatMovesAlongAsBefore)
 {
@@ -146,3 +144,5 @@ TEST(MovedPlane, DoesNotTurn)
         EXPECT_STREQ(error.what(), "wall 0: a plane cannot turn with its body 0; make it of triangles");
     }
 }
+
+}  // namespace wallMotion

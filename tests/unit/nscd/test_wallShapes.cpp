@@ -9,7 +9,7 @@
 
 using nscd::Vector;
 
-namespace
+namespace wallShapes
 {
 
 constexpr double dt = 1e-2;
@@ -31,8 +31,6 @@ std::pair<Vector<2>, double> slide(const std::vector<double>& joints, double fri
     }
     return {dynamics.grains().velocity[0], dynamics.grains().position[0].y()};
 }
-
-}  // namespace
 
 TEST(Joint, OfCollinearSegmentsIsNotFelt)
 {
@@ -174,3 +172,5 @@ TEST(Plane, OfAnyDirectionCarriesAGrain)
     }
     EXPECT_LE((dynamics.grains().position[0] - Vector<3>(1, 1, 1) - normal).norm(), 1e-10);
 }
+
+}  // namespace wallShapes

@@ -10,7 +10,7 @@ using namespace overlap;
 namespace
 {
 
-constexpr double ball = 4 * pi / 3;
+constexpr double fourThirdsPi = 4 * pi / 3;
 
 void expectNear(const Point3& got, const Point3& expected, double tolerance)
 {
@@ -76,7 +76,7 @@ TEST(BallPolyhedron, BallWithinTheCellIsTheBallExactly)
     for (const double r : {1e-9, 0.3, 0.499})
     {
         const BallOverlap x = ballCell({0.5, 0.5, 0.5}, r, box({0, 0, 0}, {1, 1, 1}));
-        EXPECT_EQ(x.volume, ball * r * r * r);
+        EXPECT_EQ(x.volume, fourThirdsPi * r * r * r);
         EXPECT_EQ(x.centroid, Point3(0.5, 0.5, 0.5));
         EXPECT_EQ(x.wettedArea, 4 * pi * r * r);
         EXPECT_EQ(x.wettedVector, Point3(0, 0, 0));
@@ -115,9 +115,9 @@ TEST(BallPolyhedron, CentreOnFaceEdgeAndVertexGivesHalfQuarterAndEighth)
         const BallOverlap quarter = unitBallIn(box({e, e, -3}, {2, 3, 4}));
         const BallOverlap eighth = unitBallIn(box({e, e, e}, {2, 3, 4}));
         const double shift = 4 * e;  // areas of the faces times e
-        EXPECT_NEAR(half.volume, ball / 2, 2e-15 + shift);
-        EXPECT_NEAR(quarter.volume, ball / 4, 2e-15 + shift);
-        EXPECT_NEAR(eighth.volume, ball / 8, 2e-15 + shift);
+        EXPECT_NEAR(half.volume, fourThirdsPi / 2, 2e-15 + shift);
+        EXPECT_NEAR(quarter.volume, fourThirdsPi / 4, 2e-15 + shift);
+        EXPECT_NEAR(eighth.volume, fourThirdsPi / 8, 2e-15 + shift);
         EXPECT_NEAR(half.wettedArea, 2 * pi, 8e-15 + 9 * e);
         EXPECT_NEAR(quarter.wettedArea, pi, 8e-15 + 9 * e);
         EXPECT_NEAR(eighth.wettedArea, pi / 2, 8e-15 + 9 * e);
@@ -149,7 +149,7 @@ TEST(BallPolyhedron, SixFacesThatCutLeaveSixCaps)
 {
     const double h = 0.9;
     const BallOverlap x = unitBallIn(box(Point3::Constant(-h), Point3::Constant(h)));
-    EXPECT_NEAR(x.volume, ball - 6 * pi * (1 - h) * (1 - h) * (2 + h) / 3, 4e-15);
+    EXPECT_NEAR(x.volume, fourThirdsPi - 6 * pi * (1 - h) * (1 - h) * (2 + h) / 3, 4e-15);
     EXPECT_NEAR(x.wettedArea, 4 * pi - 6 * 2 * pi * (1 - h), 1e-14);
     expectNear(x.centroid, {0, 0, 0}, 1e-15);
 }
@@ -171,7 +171,7 @@ TEST(BallPolyhedron, InscribedCellIsCoveredAndCircumscribedCellHoldsTheBall)
 {
     const double s = 1 / std::sqrt(3.);
     EXPECT_NEAR(unitBallIn(box(Point3::Constant(-s), Point3::Constant(s))).volume, 8 * s * s * s, 1e-15);
-    EXPECT_NEAR(unitBallIn(box({-1, -1, -1}, {1, 1, 1})).volume, ball, 2e-15);
+    EXPECT_NEAR(unitBallIn(box({-1, -1, -1}, {1, 1, 1})).volume, fourThirdsPi, 2e-15);
     EXPECT_NEAR(unitBallIn(box({-1, -1, -1}, {1, 1, 1})).wettedArea, 4 * pi, 8e-15);
 }
 
@@ -202,9 +202,9 @@ TEST(BallPolyhedron, NearlyTangentFaceIsContinuous)
         const BallOverlap x = unitBallIn(box({1 - e, -2, -2}, {3, 2, 2}));
         EXPECT_NEAR(x.volume / rounded, 1, 1e-13) << e;
         EXPECT_NEAR(x.wettedArea / (2 * pi * height), 1, 1e-13) << e;
-        EXPECT_NEAR(unitBallIn(box({-3, -2, -2}, {1 - e, 2, 2})).volume, ball - cap, 2e-15);
+        EXPECT_NEAR(unitBallIn(box({-3, -2, -2}, {1 - e, 2, 2})).volume, fourThirdsPi - cap, 2e-15);
         EXPECT_EQ(unitBallIn(box({1 + e, -2, -2}, {3, 2, 2})).volume, 0);
-        EXPECT_EQ(unitBallIn(box({-3, -2, -2}, {1 + e, 2, 2})).volume, ball);
+        EXPECT_EQ(unitBallIn(box({-3, -2, -2}, {1 + e, 2, 2})).volume, fourThirdsPi);
     }
 }
 
@@ -223,12 +223,12 @@ TEST(BallPolyhedron, NonConvexCellIsTheSumOfItsConvexParts)
                     const BallOverlap whole = ballCell(c, r, cell);
                     const BallOverlap foot = ballCell(c, r, box({0, 0, 0}, {2, 1, 1}));
                     const BallOverlap leg = ballCell(c, r, box({0, 1, 0}, {1, 2, 1}));
-                    EXPECT_NEAR(whole.volume, foot.volume + leg.volume, 2e-15 * ball * std::max(r * r * r, 1.));
+                    EXPECT_NEAR(whole.volume, foot.volume + leg.volume, 2e-15 * fourThirdsPi * std::max(r * r * r, 1.));
                     EXPECT_NEAR(whole.wettedArea, foot.wettedArea + leg.wettedArea,
                                 2e-15 * 4 * pi * std::max(r * r, 1.));
                     const Point3 moment = whole.volume * (whole.centroid - c) - foot.volume * (foot.centroid - c)
                                           - leg.volume * (leg.centroid - c);
-                    EXPECT_LT(moment.norm(), 2e-15 * ball * std::max(std::pow(r, 4), 1.));
+                    EXPECT_LT(moment.norm(), 2e-15 * fourThirdsPi * std::max(std::pow(r, 4), 1.));
                 }
             }
         }
@@ -259,8 +259,8 @@ TEST(BallPolyhedron, BallInTheHollowOfACellDoesNotOverlap)
     const Polyhedron frame(v, faces);
     EXPECT_NEAR(frame.volume(), 6 * (36 - 16), 1e-13);
     EXPECT_EQ(ballPolyhedron({0.5, 0, 0}, 1, frame).volume, 0);
-    EXPECT_NEAR(ballPolyhedron({2, 0, 0}, 1, frame).volume, ball / 2, 4e-15);
-    EXPECT_EQ(ballPolyhedron({2.5, 0, 0}, 0.4, frame).volume, ball * 0.4 * 0.4 * 0.4);
+    EXPECT_NEAR(ballPolyhedron({2, 0, 0}, 1, frame).volume, fourThirdsPi / 2, 4e-15);
+    EXPECT_EQ(ballPolyhedron({2.5, 0, 0}, 0.4, frame).volume, fourThirdsPi * 0.4 * 0.4 * 0.4);
 }
 
 TEST(BallPolyhedron, VolumeMovesByAreaTimesDisplacement)
@@ -285,7 +285,7 @@ TEST(BallPolyhedron, VolumeMovesByAreaTimesDisplacement)
             {
                 const BallOverlap x = ballPolyhedron(target + step * d, r, polyhedron);
                 const double expected = 0.5 * (before.wettedVector + x.wettedVector).dot(d);
-                EXPECT_NEAR(x.volume - before.volume, expected, 3e-15 * ball + 10 * d.squaredNorm());
+                EXPECT_NEAR(x.volume - before.volume, expected, 3e-15 * fourThirdsPi + 10 * d.squaredNorm());
                 EXPECT_LT((x.centroid - before.centroid).norm(), 20 * d.norm());
                 before = x;
             }

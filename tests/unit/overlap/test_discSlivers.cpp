@@ -14,7 +14,7 @@
 using namespace overlap;
 using oracle::Quad;
 
-namespace
+namespace discSlivers
 {
 
 struct Sum
@@ -92,8 +92,6 @@ struct Errors
     }
 };
 
-}  // namespace
-
 TEST(DiscSlivers, CornersAndEdgesThatDipIntoTheDiscKeepTheirRelativeAccuracy)
 {
     std::mt19937 random(41);
@@ -141,3 +139,5 @@ TEST(DiscSlivers, SmallCellsAtTheCircleKeepTheirRelativeAccuracy)
     EXPECT_LT(errors.centroid, 20);
     EXPECT_GT(errors.count, 1000);
 }
+
+}  // namespace discSlivers

@@ -9,7 +9,7 @@
 
 using namespace overlap;
 
-namespace
+namespace partitionOfUnity
 {
 
 struct Mesh
@@ -80,8 +80,6 @@ const std::string kinds[] = {"squares",           "rotated squares",  "warped sq
 /// Radii in units of the cell's size for h/d from 1/30 to 30.
 const double radii[] = {15, 5, 1.5, 0.5, 1. / 6, 1. / 20, 1. / 60};
 
-}  // namespace
-
 TEST(PartitionOfUnity, HoldsInGeneralPosition)
 {
     std::mt19937 random(1);
@@ -149,3 +147,5 @@ TEST(PartitionOfUnity, HoldsFarFromTheOrigin)
         }
     }
 }
+
+}  // namespace partitionOfUnity

@@ -14,6 +14,29 @@
 #include "referenceHeight.H"
 #include "timeScheme.H"
 
+namespace
+{
+
+// OpenFOAM's kinds of options are in a library that takes longer to load than
+// all others together: only where a case has the dictionary
+Foam::fv::options& optionsOf(const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+
+    const Time& time = mesh.time();
+    for (const word& folder : {time.constant(), time.system()})
+    {
+        IOobject io(fv::options::typeName, folder, mesh);
+        if (io.typeHeaderOk<IOdictionary>(false))
+        {
+            const_cast<Time&>(time).libs().open("libfvOptions.so");
+        }
+    }
+    return fv::options::New(mesh);
+}
+
+} // End namespace
+
 Foam::vansFlow::vansFlow
 (
     vansFields& fields,
@@ -31,7 +54,7 @@ Foam::vansFlow::vansFlow
     viscosity_(viscosity),
     grains_(grains),
     resolved_(resolved),
-    options_(fv::options::New(mesh_)),
+    options_(optionsOf(mesh_)),
     control_(control),
     g_(g),
     p_

@@ -17,7 +17,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# Ranks that wait leave their core to other tests, and none is bound to a core that another test has
+# Ranks that wait leave their core to the others, and none is bound to a core that another test has
 SHARED_CORES = {
     "OMPI_MCA_mpi_yield_when_idle": "1",
     "OMPI_MCA_hwloc_base_binding_policy": "none",
@@ -35,9 +35,24 @@ def pytest_collection_modifyitems(items):
 
 
 def pytest_sessionstart():
+    os.environ.update(SHARED_CORES)
+    os.sched_setaffinity(0, own_cores())
     missing = [name for name in ("blockMesh", "foamDictionary", "mpirun") if not shutil.which(name)]
     if missing or "GRAINFOAM_DIR" not in os.environ:
         pytest.exit(f"run '. etc/bashrc' first (not found: {', '.join(missing) or 'nothing'})", 2)
+
+
+def own_cores():
+    """Cores of this process of pytest, if there are enough for each to have its own.
+
+    A rank that waits and leaves its core to a program of another test gets it back only after that
+    program's time slice, a thousand times what it waits for ranks of its own test.
+    """
+    cores = sorted(os.sched_getaffinity(0))
+    count = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1))
+    if "PYTEST_XDIST_WORKER" not in os.environ or count > len(cores):
+        return cores
+    return cores[int(os.environ["PYTEST_XDIST_WORKER"].removeprefix("gw")) :: count]
 
 
 class Case:
@@ -65,7 +80,7 @@ class Case:
         done = subprocess.run(
             words,
             cwd=self.path,
-            env=os.environ | {"PWD": str(self.path), **SHARED_CORES},
+            env=os.environ | {"PWD": str(self.path)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -29,7 +29,7 @@ Foam::fv::options& optionsOf(const Foam::fvMesh& mesh)
         IOobject io(fv::options::typeName, folder, mesh);
         if (io.typeHeaderOk<IOdictionary>(false))
         {
-            const_cast<Time&>(time).libs().open("libfvOptions.so");
+            const_cast<Time&>(time).libs().open(fileName("libfvOptions.so"));
         }
     }
     return fv::options::New(mesh);

@@ -211,3 +211,17 @@ def test_restart_and_ranks(clone, make, scheme):
     ranks.run("reconstructPar -latestTime")
     # Contacts leave 1e-7 of a grain's way uncertain, a cell of 5 mm has 2e-5 of it
     np.testing.assert_allclose(whole.field("dye"), ranks.field("dye"), rtol=0, atol=1e-4)
+
+
+@pytest.mark.parallel
+def test_four_ranks(clone):
+    one, many = (settling(clone, "resolved", 1e-5, name=name) for name in ("one", "many"))
+    for case in (one, many):
+        control(case, endTime=0.1, writeInterval=50)
+    one.run("grainFoam")
+    decompose(many, 4)
+    many.parallel("grainFoam", 4)
+    assert_books_close(many)
+    many.run("reconstructPar -latestTime")
+    # As of two
+    np.testing.assert_allclose(one.field("dye"), many.field("dye"), rtol=0, atol=1e-4)

@@ -154,14 +154,15 @@ def test_stop_and_restart(clone):
 
 
 @pytest.mark.parallel
-def test_two_ranks(clone):
-    """OpenFOAM chooses some other cells beside the boundary of two ranks: 1 % of them."""
+@pytest.mark.parametrize("number", [2, 4])
+def test_ranks_agree(clone, number):
+    """OpenFOAM chooses some other cells beside the boundaries of ranks: 1 % of them."""
     serial, ranks = (bed(clone, name=name) for name in ("serial", "ranks"))
     for case in (serial, ranks):
         control(case, endTime=0.1)
     serial.run("grainFoam")
-    decompose(ranks, 2)
-    ranks.parallel("grainFoam", 2)
+    decompose(ranks, number)
+    ranks.parallel("grainFoam", number)
     book = ledger(ranks)
     assert book["mappingError"].max() <= 1e-12
     assert book["transportDefect"].max() <= 1e-12

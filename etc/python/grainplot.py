@@ -79,19 +79,23 @@ def read_mesh(case):
     if not empty_faces:
         raise ValueError(f"{folder}: no patch of type empty, the mesh is not two-dimensional")
 
-    normals = [_normal(points[faces[face]]) for face in empty_faces]
-    across = int(np.argmax(np.abs(normals[0])))
+    across = _thin_axis(points[faces[empty_faces[0]]])
     axes = tuple(axis for axis in range(3) if axis != across)
+    # Of the two empty faces of a cell that whose normal points along the axis
+    sense = -1 if across == 1 else 1
     polygons = [None] * (owner.max() + 1)
-    for face, normal in zip(empty_faces, normals, strict=True):
-        if normal[across] > 0:
-            polygons[owner[face]] = points[faces[face]][:, axes]
+    for face in empty_faces:
+        polygon = points[faces[face]][:, axes]
+        if sense * _signed_area(polygon) > 0:
+            polygons[owner[face]] = polygon
     return PlanarMesh(polygons, axes)
 
 
-def _normal(vertices):
+def _thin_axis(vertices):
+    """The axis along which the normal of a face is longest."""
     first = vertices[0]
-    return np.sum(np.cross(vertices[1:-1] - first, vertices[2:] - first), axis=0)
+    normal = np.sum(np.cross(vertices[1:-1] - first, vertices[2:] - first), axis=0)
+    return int(np.argmax(np.abs(normal)))
 
 
 def read_field(case, time, name, n_cells=None):

@@ -65,6 +65,7 @@ class Case:
     def __init__(self, path):
         self.path = path
         self.log = ""
+        self._mesh = None
 
     def run(self, command, check=True, timeout=600):
         """Run a program in the case, a string or a list of words; keep its output in log.<program>.
@@ -153,8 +154,12 @@ class Case:
         return grainplot.times(self.path)
 
     def mesh(self):
-        """The cells as polygons, grainplot.PlanarMesh."""
-        return grainplot.read_mesh(self.path)
+        """The cells as polygons, grainplot.PlanarMesh; read again where a file has changed."""
+        states = ((file, file.stat()) for file in (self.path / "constant/polyMesh").iterdir())
+        state = sorted((str(file), at.st_mtime_ns, at.st_size) for file, at in states)
+        if self._mesh is None or self._mesh[0] != state:
+            self._mesh = state, grainplot.read_mesh(self.path)
+        return self._mesh[1]
 
     def field(self, name, time=None):
         """Internal values at a time, the last one by default: (n_cells,) or (n_cells, 3)."""

@@ -112,7 +112,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     nodes_ = std::make_unique<heatNodes>
     (
         grains_, exchange_.resolved(), fluid_.capacity(),
-        unresolved_.conductance(), resolved_.lockedVolume(), result
+        unresolved_.conductance(), resolved_.lockedVolume()
     );
     if (others_)
     {
@@ -141,15 +141,14 @@ void Foam::grainFluidHeat::give(const volScalarField& T)
 {
     grainTemperatures& grainT = grains_.temperatures();
     const scalar deltaT = T.time().deltaTValue();
-    nodes_->meet(T);
 
-    // What cells of resolved grains hold came through contacts, too
-    scalarField held(grains_.size(), Zero);
-    resolved_.addReceived(T, held);
-    sumOverRanks(held);
     scalarField heat(deltaT*nodes_->fromFluid(T));
+    resolved_.addReceived(T, heat);
     sumOverRanks(heat);
     const scalarField linked(deltaT*nodes_->throughNetwork());
+
+    // What cells have of grains came through contacts, too
+    const scalarField held(deltaT*nodes_->heldInCells());
 
     received_ = 0;
     outside_ = 0;
@@ -157,7 +156,10 @@ void Foam::grainFluidHeat::give(const volScalarField& T)
     forAll(TNew, i)
     {
         const scalar whole = nodes_->whole(i);
-        heat[i] += held[i] - (nodes_->isInCells(i) ? linked[i]/whole : 0);
+        if (nodes_->isInCells()[i])
+        {
+            heat[i] = held[i] - linked[i]/whole;
+        }
         received_ += heat[i];
         outside_ += (whole - 1)*heat[i];
         TNew[i] =

@@ -14,8 +14,7 @@ Foam::heatNodes::heatNodes
     const resolvedTerm& resolved,
     const scalar fluidCapacity,
     const scalarField& overlapConductance,
-    const scalarField& lockedVolume,
-    cellHeat& cells
+    const scalarField& lockedVolume
 )
 :
     grains_(grains),
@@ -24,7 +23,7 @@ Foam::heatNodes::heatNodes
     network_(grains.temperatures().network()),
     overlap_(overlapConductance/fluidCapacity),
     whole_(grains.size(), 1),
-    lockedShare_(grains.mesh().nCells(), Zero),
+    bodyOfCells_(grains.mesh().nCells(), -1),
     isInCells_(grains.size(), false),
     returned_(grains.mesh().nCells(), Zero),
     joined_(grains.size(), Zero)
@@ -38,33 +37,13 @@ Foam::heatNodes::heatNodes
     {
         joined_[outlet.i] += outlet.conductance/fluidCapacity_;
     }
-    setShares(lockedVolume);
+    setCells(lockedVolume);
     setRows();
     setReturned();
-
-    // What locked cells lose through contacts, and get from walls
-    const scalarField& V = grains_.mesh().V();
-    scalarField fromWalls(grains_.size(), Zero);
-    for (const nscd::HeatNetwork::Outlet& outlet : network_.outlets())
-    {
-        fromWalls[outlet.i] += outlet.conductance*outlet.temperature;
-    }
-    forAll(lockedShare_, celli)
-    {
-        if (lockedShare_[celli] > 0)
-        {
-            const label graini = resolved_.grainOf(celli);
-            const scalar share =
-                lockedShare_[celli]/whole_[graini]/V[celli];
-            cells.coefficient[celli] +=
-                share*joined_[graini]*fluidCapacity_;
-            cells.given[celli] += share*fromWalls[graini];
-        }
-    }
 }
 
 
-void Foam::heatNodes::setShares(const scalarField& lockedVolume)
+void Foam::heatNodes::setCells(const scalarField& lockedVolume)
 {
     forAll(whole_, i)
     {
@@ -82,14 +61,9 @@ void Foam::heatNodes::setShares(const scalarField& lockedVolume)
     {
         isInCells_[i] = lockedVolume[i] > 0;
     }
-    const scalarField& V = grains_.mesh().V();
-    forAll(lockedShare_, celli)
+    forAll(bodyOfCells_, celli)
     {
-        const label graini = resolved_.grainOf(celli);
-        if (graini >= 0)
-        {
-            lockedShare_[celli] = V[celli]/lockedVolume[graini];
-        }
+        bodyOfCells_[celli] = resolved_.grainOf(celli);
     }
 }
 
@@ -117,22 +91,18 @@ void Foam::heatNodes::setRows()
     {
         const scalar perStep = grainT.heatCapacity(i)/fluidCapacity_/deltaT;
         values_[i] = grainT.temperature(i);
-        if (isInCells_[i])
-        {
-            diagonal_[i] = perStep;
-            continue;
-        }
-        const scalar own = perStep*exponentialMean(diagonal_[i]/perStep);
-        diagonal_[i] += own;
-        source_[i] = own*values_[i];
+        const scalar own =
+            isInCells_[i]
+          ? perStep
+          : perStep*exponentialMean(diagonal_[i]/perStep);
+        diagonal_[i] = inMesh(i)*(diagonal_[i] + own);
+        source_[i] = inMesh(i)*own*values_[i];
     }
     for (const nscd::HeatNetwork::Outlet& outlet : network_.outlets())
     {
-        if (!isInCells_[outlet.i])
-        {
-            source_[outlet.i] +=
-                outlet.conductance*outlet.temperature/fluidCapacity_;
-        }
+        source_[outlet.i] +=
+            inMesh(outlet.i)
+           *outlet.conductance*outlet.temperature/fluidCapacity_;
     }
     cellShare_ = sum/diagonal_;
 }
@@ -159,16 +129,8 @@ bool Foam::heatNodes::isAlone() const
     return
         network_.links().empty()
      && network_.outlets().empty()
+     && !isInCells_.found(true)
      && gSum(overlap_) == 0;
-}
-
-
-void Foam::heatNodes::meet(const scalarField& T)
-{
-    if (isAlone())
-    {
-        values_ = (source_ + received(T, values_))/diagonal_;
-    }
 }
 
 
@@ -203,20 +165,6 @@ void Foam::heatNodes::addToCells
     }
     grains_.voidFraction().smooth(given);
     cells += given*V;
-
-    if (resolved_.isActive() && network_.links().size())
-    {
-        const scalarField linked(fromNetwork(bodies));
-        forAll(lockedShare_, celli)
-        {
-            if (lockedShare_[celli] > 0)
-            {
-                const label graini = resolved_.grainOf(celli);
-                cells[celli] +=
-                    lockedShare_[celli]/whole_[graini]*linked[graini];
-            }
-        }
-    }
 }
 
 
@@ -238,15 +186,6 @@ Foam::scalarField Foam::heatNodes::received
                 whole_[graini]*overlap_[o.index]*seen[o.cell];
         }
     }
-    forAll(lockedShare_, celli)
-    {
-        if (lockedShare_[celli] > 0)
-        {
-            const label graini = resolved_.grainOf(celli);
-            result[graini] +=
-                diagonal_[graini]*lockedShare_[celli]*cells[celli];
-        }
-    }
     sumOverRanks(result);
 
     if (network_.links().size())
@@ -254,10 +193,7 @@ Foam::scalarField Foam::heatNodes::received
         const scalarField linked(fromNetwork(bodies));
         forAll(result, i)
         {
-            if (!isInCells_[i])
-            {
-                result[i] += linked[i];
-            }
+            result[i] += inMesh(i)*linked[i];
         }
     }
     return result;
@@ -277,6 +213,24 @@ Foam::scalarField Foam::heatNodes::fromFluid(const scalarField& T) const
             result[graini] +=
                 fluidCapacity_*overlap_[o.index]
                *(seen[o.cell] - values_[graini]);
+        }
+    }
+    return result;
+}
+
+
+Foam::scalarField Foam::heatNodes::heldInCells() const
+{
+    const grainTemperatures& grainT = grains_.temperatures();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    scalarField result(grains_.size(), Zero);
+    forAll(result, i)
+    {
+        if (isInCells_[i])
+        {
+            result[i] =
+                inMesh(i)*grainT.heatCapacity(i)/deltaT
+               *(values_[i] - grainT.temperature(i));
         }
     }
     return result;

@@ -79,19 +79,6 @@ Foam::tmp<Foam::volScalarField> Foam::resolvedHeat::grainOfCells() const
 template<class Function>
 void Foam::resolvedHeat::forParts(const Function& f) const
 {
-    const scalarField& V = grains_.mesh().V();
-    if (!conducts_)
-    {
-        forAll(V, celli)
-        {
-            const label graini = resolved_.grainOf(celli);
-            if (graini >= 0)
-            {
-                f(celli, graini, V[celli]);
-            }
-        }
-        return;
-    }
     for (label graini = 0; graini < grains_.size(); ++graini)
     {
         if (resolved_.isResolved(graini))
@@ -107,11 +94,7 @@ void Foam::resolvedHeat::forParts(const Function& f) const
 
 Foam::scalar Foam::resolvedHeat::capacity(const label graini) const
 {
-    const scalar volume = grains_.volume(graini);
-    const scalar inMesh = grains_.mappedVolume()[graini]/volume;
-    return
-        grains_.temperatures().heatCapacity(graini)
-       *(conducts_ ? 1/volume : inMesh/max(lockedVolume_[graini], VSMALL));
+    return grains_.temperatures().heatCapacity(graini)/grains_.volume(graini);
 }
 
 
@@ -125,9 +108,7 @@ Foam::scalar Foam::resolvedHeat::conductivity
 {
     if (own == neighbour)
     {
-        // Differences within a grain are then some 1e-4 of those around it; linear
-        // solvers do not converge with much more
-        return conducts_ ? grains_.temperatures().conductivity(own) : 1e4*k;
+        return conducts_ ? grains_.temperatures().conductivity(own) : 0;
     }
     if (own >= 0 && neighbour >= 0)
     {
@@ -215,41 +196,6 @@ void Foam::resolvedHeat::setFaces
 }
 
 
-Foam::scalarField Foam::resolvedHeat::before(const volScalarField& T) const
-{
-    if (conducts_)
-    {
-        return T.primitiveField();
-    }
-    const grainTemperatures& grainT = grains_.temperatures();
-    const scalarField& V = grains_.mesh().V();
-    scalarField mean(grains_.size(), Zero);
-    forParts
-    (
-        [&](const label celli, const label graini, const scalar volume)
-        {
-            mean[graini] += volume/lockedVolume_[graini]*T[celli];
-        }
-    );
-    sumOverRanks(mean);
-
-    scalarField result(V.size(), Zero);
-    forParts
-    (
-        [&](const label celli, const label graini, const scalar)
-        {
-            const scalar whole = grainT.temperature(graini);
-            const scalar difference = T[celli] - mean[graini];
-            result[celli] =
-                mag(mean[graini] - whole) <= 1e-12*whole
-              ? whole + difference
-              : whole;
-        }
-    );
-    return result;
-}
-
-
 void Foam::resolvedHeat::add
 (
     const volScalarField& T,
@@ -276,14 +222,17 @@ void Foam::resolvedHeat::add
     sumOverRanks(lockedVolume_);
     setFaces(kappa, cells.conductivity);
 
-    const scalarField old(before(T));
+    if (!conducts_)
+    {
+        return;
+    }
     forParts
     (
         [&](const label celli, const label graini, const scalar volume)
         {
             cells.add
             (
-                celli, volume/mesh.V()[celli]*capacity(graini)/deltaT, old[celli]
+                celli, volume/mesh.V()[celli]*capacity(graini)/deltaT, T[celli]
             );
         }
     );
@@ -296,7 +245,7 @@ void Foam::resolvedHeat::addReceived
     scalarField& heat
 ) const
 {
-    if (!resolved_.isActive())
+    if (!resolved_.isActive() || !conducts_)
     {
         return;
     }

@@ -133,6 +133,7 @@ void Foam::heatLedger::write()
             "plates,walls,injected,removed,filled,fluidError,grainError,"
             "leastT,mostT,leastGrainT,mostGrainT,meanGrainT";
         file_ = progress_.newFile("heatLedger", "heatLedger.csv", names.c_str());
+        file_().precision(16);
     }
 
     file_()

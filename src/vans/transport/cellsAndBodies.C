@@ -5,6 +5,7 @@
 
 #include "cellsAndBodies.H"
 
+#include "combineOverRanks.H"
 #include "volFields.H"
 
 void Foam::cellsAndBodies::vector::add
@@ -27,10 +28,14 @@ Foam::cellsAndBodies::cellsAndBodies
     matrix_(matrix),
     bodies_(bodies),
     interfaces_(matrix.psi().boundaryField().scalarInterfaces()),
+    areInCells_(bodies.isInCells().found(true)),
+    bodyOfCells_(bodies.bodyOfCells()),
     source_(matrix.source()),
-    inverse_()
+    inverse_(),
+    diagonal_(bodies.diagonal())
 {
     addBoundaries();
+    setDiagonal();
     factorise();
 }
 
@@ -56,6 +61,64 @@ void Foam::cellsAndBodies::addBoundaries()
 }
 
 
+void Foam::cellsAndBodies::setDiagonal()
+{
+    if (!areInCells_)
+    {
+        return;
+    }
+    const labelUList& l = matrix_.lduAddr().lowerAddr();
+    const labelUList& u = matrix_.lduAddr().upperAddr();
+    vector own{matrix_.diag(), scalarField(diagonal_.size(), Zero)};
+    forAll(l, facei)
+    {
+        const label body = bodyOfCells_[l[facei]];
+        if (body >= 0 && body == bodyOfCells_[u[facei]])
+        {
+            own.cells[l[facei]] += matrix_.upper()[facei];
+            own.cells[u[facei]] += matrix_.lower()[facei];
+        }
+    }
+    gather(own);
+    diagonal_ += own.bodies;
+}
+
+
+void Foam::cellsAndBodies::spread(vector& x) const
+{
+    if (areInCells_)
+    {
+        forAll(bodyOfCells_, celli)
+        {
+            if (bodyOfCells_[celli] >= 0)
+            {
+                x.cells[celli] = x.bodies[bodyOfCells_[celli]];
+            }
+        }
+    }
+}
+
+
+void Foam::cellsAndBodies::gather(vector& r) const
+{
+    if (!areInCells_)
+    {
+        return;
+    }
+    scalarField ofCells(r.bodies.size(), Zero);
+    forAll(bodyOfCells_, celli)
+    {
+        if (bodyOfCells_[celli] >= 0)
+        {
+            ofCells[bodyOfCells_[celli]] += r.cells[celli];
+            r.cells[celli] = 0;
+        }
+    }
+    sumOverRanks(ofCells);
+    r.bodies += ofCells;
+}
+
+
 void Foam::cellsAndBodies::factorise()
 {
     inverse_ = matrix_.diag() - bodies_.returned();
@@ -63,11 +126,22 @@ void Foam::cellsAndBodies::factorise()
     const labelUList& u = matrix_.lduAddr().upperAddr();
     const scalarField& lower = matrix_.lower();
     const scalarField& upper = matrix_.upper();
+    const auto isOfBody = [&](const label celli)
+    {
+        return areInCells_ && bodyOfCells_[celli] >= 0;
+    };
     forAll(l, facei)
     {
-        inverse_[u[facei]] -= lower[facei]*upper[facei]/inverse_[l[facei]];
+        if (!isOfBody(l[facei]))
+        {
+            inverse_[u[facei]] -=
+                lower[facei]*upper[facei]/inverse_[l[facei]];
+        }
     }
-    inverse_ = 1/inverse_;
+    forAll(inverse_, celli)
+    {
+        inverse_[celli] = isOfBody(celli) ? 0 : 1/inverse_[celli];
+    }
 }
 
 
@@ -82,6 +156,7 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::image(const vector& x) const
     bodies_.addToCells(x.bodies, given);
     result.cells -= given;
     result.bodies -= bodies_.received(x.cells, x.bodies);
+    gather(result);
     return result;
 }
 
@@ -91,9 +166,9 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::residual
     const vector& x
 ) const
 {
-    vector result(image(x));
-    result.cells = source_ - result.cells;
-    result.bodies = bodies_.source() - result.bodies;
+    vector result{source_, bodies_.source()};
+    gather(result);
+    result.add(-1, image(x));
     return result;
 }
 
@@ -109,7 +184,7 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::preconditioned
     const scalarField& upper = matrix_.upper();
 
     vector z(r);
-    bodies_.addToCells(r.bodies/bodies_.diagonal(), z.cells);
+    bodies_.addToCells(r.bodies/diagonal_, z.cells);
     z.cells *= inverse_;
     forAll(l, facei)
     {
@@ -122,7 +197,8 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::preconditioned
             inverse_[l[facei]]*upper[facei]*z.cells[u[facei]];
     }
     z.bodies += bodies_.received(z.cells, scalarField(r.bodies.size(), Zero));
-    z.bodies /= bodies_.diagonal();
+    z.bodies /= diagonal_;
+    spread(z);
     return z;
 }
 
@@ -153,6 +229,7 @@ Foam::scalar Foam::cellsAndBodies::scale(const vector& x) const
     vector change(image(x));
     change.add(-1, even);
     vector source{source_, bodies_.source()};
+    gather(source);
     source.add(-1, even);
     return size(change) + size(source) + SMALL;
 }
@@ -167,6 +244,7 @@ Foam::solverPerformance Foam::cellsAndBodies::solve(const dictionary& controls)
 
     auto& psi = const_cast<volScalarField&>(matrix_.psi());
     vector x{psi.primitiveField(), bodies_.values()};
+    spread(x);
     vector r(residual(x));
     const scalar norm = scale(x);
 
@@ -226,9 +304,15 @@ Foam::solverPerformance Foam::cellsAndBodies::solve(const dictionary& controls)
     psi.correctBoundaryConditions();
 
     // Bodies that exchange nothing among themselves are then exact
-    bodies_.values() = x.bodies;
     bodies_.values() =
         (bodies_.source() + bodies_.received(x.cells, x.bodies))
        /bodies_.diagonal();
+    forAll(x.bodies, i)
+    {
+        if (bodies_.isInCells()[i])
+        {
+            bodies_.values()[i] = x.bodies[i];
+        }
+    }
     return done;
 }

@@ -286,6 +286,7 @@ void Foam::fluidScalar::carry
     if (bodies)
     {
         bodies->addToCells(bodies->values(), fromBodies);
+        unaccounted_ += deltaT*bodies->takenInCells(T_.primitiveField());
     }
 
     const scalarField H(content(T_.primitiveField()));

@@ -132,7 +132,8 @@ def test_sphere_that_conducts_is_a_dipole(clone, ratio):
 
 
 @pytest.mark.parallel
-def test_two_ranks_find_the_field_around_a_disc_that_conducts(clone):
+@pytest.mark.parametrize("inside", ["conducting", "isothermal"])
+def test_two_ranks_find_the_field_around_a_disc(clone, inside):
     """A boundary of ranks goes through the disc."""
     found = []
     for ranks in (1, 2):
@@ -140,11 +141,11 @@ def test_two_ranks_find_the_field_around_a_disc_that_conducts(clone):
         replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
         case.run("blockMesh")
         fix_grains(case)
-        inside = "conductance none; inside conducting;"
         material = f"heatCapacity 1e-3; conductivity {0.1 * K};"
         sides = given(lambda x, y: 400 + 1000 * (x - CENTRE[0]), 40)
         fluid = f"Cp {CP}; kappa {K};"
-        with_heat(case, 400.0, 400.0, sides, fluid=fluid, heat=inside, ofGlass=material)
+        heat = f"conductance none; inside {inside};"
+        with_heat(case, 400.0, 400.0, sides, fluid=fluid, heat=heat, ofGlass=material)
         control(case, deltaT=1e3, endTime=1e3, writeInterval=1)
         if ranks == 1:
             case.run("grainThermalFoam")

@@ -32,10 +32,12 @@ Foam::cellsAndBodies::cellsAndBodies
     bodyOfCells_(bodies.bodyOfCells()),
     source_(matrix.source()),
     inverse_(),
-    diagonal_(bodies.diagonal())
+    diagonal_(bodies.diagonal()),
+    weight_(diagonal_.size(), 1)
 {
     addBoundaries();
     setDiagonal();
+    setWeight();
     factorise();
 }
 
@@ -81,6 +83,21 @@ void Foam::cellsAndBodies::setDiagonal()
     }
     gather(own);
     diagonal_ += own.bodies;
+}
+
+
+void Foam::cellsAndBodies::setWeight()
+{
+    const vector alike
+    {
+        scalarField(matrix_.diag().size(), 1), scalarField(diagonal_.size(), 1)
+    };
+    const scalarField own(image(alike).bodies);
+    forAll(weight_, i)
+    {
+        weight_[i] =
+            min(max(1 - own[i]/diagonal_[i], scalar(SMALL)), scalar(1));
+    }
 }
 
 
@@ -157,6 +174,7 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::image(const vector& x) const
     result.cells -= given;
     result.bodies -= bodies_.received(x.cells, x.bodies);
     gather(result);
+    result.bodies *= weight_;
     return result;
 }
 
@@ -168,6 +186,7 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::residual
 {
     vector result{source_, bodies_.source()};
     gather(result);
+    result.bodies *= weight_;
     result.add(-1, image(x));
     return result;
 }
@@ -184,7 +203,8 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::preconditioned
     const scalarField& upper = matrix_.upper();
 
     vector z(r);
-    bodies_.addToCells(r.bodies/diagonal_, z.cells);
+    z.bodies /= weight_;
+    bodies_.addToCells(z.bodies/diagonal_, z.cells);
     z.cells *= inverse_;
     forAll(l, facei)
     {
@@ -230,6 +250,7 @@ Foam::scalar Foam::cellsAndBodies::scale(const vector& x) const
     change.add(-1, even);
     vector source{source_, bodies_.source()};
     gather(source);
+    source.bodies *= weight_;
     source.add(-1, even);
     return size(change) + size(source) + SMALL;
 }
@@ -300,19 +321,12 @@ Foam::solverPerformance Foam::cellsAndBodies::solve(const dictionary& controls)
         done.print(Info.masterStream(psi.mesh().comm()));
     }
 
+    // Bodies that exchange nothing among themselves are then exact
+    x.bodies += residual(x).bodies/weight_/diagonal_;
+    spread(x);
+
     psi.primitiveFieldRef() = x.cells;
     psi.correctBoundaryConditions();
-
-    // Bodies that exchange nothing among themselves are then exact
-    bodies_.values() =
-        (bodies_.source() + bodies_.received(x.cells, x.bodies))
-       /bodies_.diagonal();
-    forAll(x.bodies, i)
-    {
-        if (bodies_.isInCells()[i])
-        {
-            bodies_.values()[i] = x.bodies[i];
-        }
-    }
+    bodies_.values() = x.bodies;
     return done;
 }

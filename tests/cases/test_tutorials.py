@@ -58,6 +58,21 @@ def have_the_orifices_of_their_names(silos):
         assert 2 * x[x > 1e-6].min() == pytest.approx(0.004 * width)  # vertices at 0 and the edges
 
 
+def assert_heat_is_kept(file):
+    """To 1e-8 of what fluid, grains and walls exchange, but for the digits of what there is."""
+    book = np.genfromtxt(file, delimiter=",", names=True)
+    conducted = [book[name] for name in book.dtype.names if name.startswith("conducted_")]
+    convected = [book[name] for name in book.dtype.names if name.startswith("convected_")]
+    exchanged = np.abs([book["exchanged"], book["plates"], book["walls"], *conducted]).sum()
+    left = sum(conducted) + sum(convected) - book["plates"] - book["filled"]
+    fluid = np.diff(book["fluidHeat"]) + (left + book["exchanged"])[1:]
+    came = book["exchanged"] + book["outside"] + book["walls"] + book["injected"] - book["removed"]
+    grains = np.diff(book["grainHeat"]) - came[1:]
+    for missing, heat in ((fluid, "fluidHeat"), (grains, "grainHeat")):
+        digits = np.finfo(float).eps * book[heat].max() * len(missing)
+        assert abs(missing.sum()) <= 1e-8 * exchanged + digits, (file, heat)
+
+
 # What must hold of a tutorial besides
 CHECKS = {
     "sedimentation": tell_the_methods_apart,
@@ -70,5 +85,10 @@ def test_allrunDrawsPictures(tutorial):
     pictures = list(tutorial.glob("snapshots/*.png"))
     assert pictures
     assert all(picture.stat().st_size > 10_000 for picture in pictures)
+    if tutorial.parent.name == "grainThermalFoam":
+        books = list(tutorial.glob("**/heatLedger.csv"))
+        assert books
+        for book in books:
+            assert_heat_is_kept(book)
     if tutorial.name in CHECKS:
         CHECKS[tutorial.name](tutorial)

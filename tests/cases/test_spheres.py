@@ -235,6 +235,24 @@ def test_shear_turns_a_sphere_about_the_axis_of_vorticity(clone, n, low, high):
     assert np.linalg.norm(spin - (spin @ axis) * axis) <= 1e-4
 
 
+# Two correctors of the pressure let it grow by a factor of 1.4 in each step
+@pytest.mark.parametrize("ratio", [1, 1000])
+def test_a_resolved_sphere_in_a_narrow_box_comes_to_rest(clone, ratio):
+    """Gaps of 1.3 cells, steps of nu dt/h^2 = 9; the fluid is as dense or a thousand times."""
+    side, n, speed = 0.1, 7, 0.1
+    radius, h = 0.32 * side, side / n
+    case = sphere_box(clone, [(0.0503, 0.0507, 0.051)], radius, n=n, velocity=[(speed, 0, 0)])
+    replace(case, "system/fvSolution", "nCorrectors     2;", "nCorrectors     3;")
+    replace(case, "constant/transportProperties", "1000;", f"{2500 * ratio};")
+    replace(case, "constant/transportProperties", "1e-4;", f"{10 * speed * 2 * radius};")
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=0.2 * h / speed, endTime=4 * h / speed, writeInterval=20)
+    case.run("grainFoam")
+    fastest = case.table("postProcessing/ledger/0/ledger.csv")["maxVelocity"]
+    assert fastest.max() < 0.1 * speed
+    assert fastest[-1] < 1e-3 * fastest[0]
+
+
 @pytest.mark.parametrize("density", [1000, 2500])
 def test_clusters_count_once_where_their_spheres_overlap(clone, density):
     """Two equal spheres, the centre of each on the other's surface."""

@@ -3,8 +3,8 @@
 """Random grains in random fluids: T and psi stay in their range, heat and vapour are kept.
 
 Discs and spheres of 0.2 to 10 cells that move and collide; ratios of the grains' density, heat
-capacity and conductivity to the fluid's between 1e-3 and 1e3; steps of 1e-3 to 1e3 times the time in
-which the fluid would warm a grain.  Whole: 1e5 steps in 250 boxes.
+capacity and conductivity to the fluid's between 1e-3 and 1e3; steps of 1e-3 to 1e3 times the time
+in which the fluid would warm a grain.  Whole: 1e5 steps in 250 boxes.
 """
 
 import re

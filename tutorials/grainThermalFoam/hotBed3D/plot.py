@@ -85,7 +85,7 @@ def curves(times):
 def main():
     Path("snapshots").mkdir(exist_ok=True)
     times = grainplot.times(".")[1:]
-    sheet(times[:: max(len(times) // 6, 1)][:6])
+    sheet([times[i] for i in np.unique(np.linspace(0, len(times) - 1, 6).astype(int))])
     cold, hot = curves(times)
 
     exchanged = np.abs(ledger("exchanged")).sum()

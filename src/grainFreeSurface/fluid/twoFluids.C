@@ -86,10 +86,10 @@ void Foam::twoFluids::correctSurface()
 }
 
 
-void Foam::twoFluids::keepTension()
+void Foam::twoFluids::keepTension(const volScalarField& sigmaK)
 {
     keptTension_.clear();
-    keptTension_ = mixture_.surfaceTensionForce();
+    keptTension_ = fvc::interpolate(sigmaK)*fvc::snGrad(alpha());
 }
 
 

@@ -86,6 +86,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::intoGrains
 (
     const volScalarField& continued,
     const labelList& cells,
+    const scalarField& curvature,
     boolList& isWetted
 ) const
 {
@@ -96,8 +97,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::intoGrains
         fv::gaussGrad<scalar>(mesh_).calcGrad(continued, "gradOfContinued")
     );
     volVectorField way(directions(mesh_, "intoGrain"));
-    scalarField cosine(mesh_.nCells(), Zero);
-    wetting_.set(way, cosine);
+    scalarField sine(mesh_.nCells(), Zero);
+    wetting_.set(curvature, way, sine);
 
     for (const label celli : cells)
     {
@@ -106,8 +107,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::intoGrains
         const vector along(gradient[celli] - (gradient[celli] & n)*n);
         way[celli] = -
         (
-            sqrt(1 - sqr(cosine[celli]))*n
-          + cosine[celli]*along/(mag(along) + small)
+            sqrt(1 - sqr(sine[celli]))*n
+          + sine[celli]*along/(mag(along) + small)
         );
     }
     forAll(way, celli)
@@ -122,70 +123,78 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::intoGrains
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::beyondUpwind
+(
+    const surfaceScalarField& into,
+    const volScalarField& continued
+) const
+{
+    const volVectorField gradient
+    (
+        fv::gaussGrad<scalar>(mesh_).calcGrad(continued, "gradOfContinued")
+    );
+    const upwind<vector> scheme(mesh_, into);
+    return
+        scheme.interpolate(gradient)
+      & (mesh_.Cf() - scheme.interpolate(mesh_.C()));
+}
+
+
 void Foam::continuedFraction::continueAngles
 (
     const labelList& cells,
+    const scalarField& curvature,
     volScalarField& continued
 ) const
 {
     // Share of faces in all directions, for cells to which no way leads
     constexpr scalar least = 1e-6;
 
+    // Solutions that take the gradient upwind into account
+    constexpr label nCorrections = 4;
+
     boolList isWetted(mesh_.nCells(), false);
     continued.correctBoundaryConditions();
-    const surfaceScalarField into(intoGrains(continued, cells, isWetted));
-
-    tmp<fvScalarMatrix> tequation
+    const surfaceScalarField into
     (
-        fv::gaussConvectionScheme<scalar>
+        intoGrains(continued, cells, curvature, isWetted)
+    );
+
+    surfaceScalarField beyond(0*into);
+    for (label i = 0; i <= nCorrections; ++i)
+    {
+        if (i > 0)
+        {
+            beyond = into*beyondUpwind(into, continued);
+        }
+        tmp<fvScalarMatrix> tequation
         (
-            mesh_, into, tmp<surfaceInterpolationScheme<scalar>>
+            fv::gaussConvectionScheme<scalar>
             (
-                new upwind<scalar>(mesh_, into)
-            )
-        ).fvmDiv(into, continued)
-    );
-    fvScalarMatrix& equation = tequation.ref();
-    equation.diag() -=
-        fvc::surfaceIntegrate(into)().primitiveField()*mesh_.V().field();
-    equation -= fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-    (
-        least*mesh_.magSf()/mesh_.nonOrthDeltaCoeffs(),
-        mesh_.nonOrthDeltaCoeffs(), continued
-    );
+                mesh_, into, tmp<surfaceInterpolationScheme<scalar>>
+                (
+                    new upwind<scalar>(mesh_, into)
+                )
+            ).fvmDiv(into, continued)
+        );
+        fvScalarMatrix& equation = tequation.ref();
+        equation.diag() -=
+            fvc::surfaceIntegrate(into)().primitiveField()*mesh_.V().field();
+        equation.source() -=
+            fvc::surfaceIntegrate(beyond)().primitiveField()*mesh_.V().field();
+        equation -=
+            fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+            (
+                least*mesh_.magSf()/mesh_.nonOrthDeltaCoeffs(),
+                mesh_.nonOrthDeltaCoeffs(), continued
+            );
 
-    dictionary controls;
-    controls.add("solver", "PBiCGStab");
-    controls.add("preconditioner", "DILU");
-    solveIn(isWetted, controls, equation);
-}
-
-
-void Foam::continuedFraction::correctSurface(twoFluids& fluid) const
-{
-    volScalarField& alpha = fluid.alpha();
-    if (!wetting_.isAny())
-    {
-        fluid.correctSurface();
-        return;
+        dictionary controls;
+        controls.add("solver", "PBiCGStab");
+        controls.add("preconditioner", "DILU");
+        solveIn(isWetted, controls, equation);
+        continued.primitiveFieldRef() =
+            max(min(continued.primitiveField(), scalar(1)), scalar(0));
+        continued.correctBoundaryConditions();
     }
-    const scalarField held(alpha.primitiveField());
-    volScalarField continued
-    (
-        IOobject("alphaContinued", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimless,
-        zeroGradientFvPatchScalarField::typeName
-    );
-    continued.primitiveFieldRef() = held;
-    continueAngles(cut_, continued);
-    for (const label celli : cut_)
-    {
-        alpha[celli] = max(min(continued[celli], scalar(1)), scalar(0));
-    }
-    alpha.correctBoundaryConditions();
-    fluid.correctSurface();
-    fluid.keepTension();
-    alpha.primitiveFieldRef() = held;
-    alpha.correctBoundaryConditions();
 }

@@ -22,6 +22,7 @@ Foam::continuedFraction::continuedFraction
     mesh_(grains.mesh()),
     levels_(levels),
     wetting_(grains),
+    isFixed_(grains.motion().isFixed()),
     down_(mag(g) > SMALL ? g/mag(g) : vector(Zero)),
     carried_
     (
@@ -75,6 +76,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
        *localMin<scalar>(mesh_).interpolate(volume)
        /(mesh_.time().deltaT()*mesh_.nonOrthDeltaCoeffs())
     );
+    if (isFixed_)
+    {
+        tswap.ref() *= scalar(0);
+    }
     if (levels_.isNeeded())
     {
         tswap.ref() *= offLevel(alpha, localMax<scalar>(mesh_).interpolate(locked));
@@ -298,7 +303,8 @@ void Foam::continuedFraction::apply(volScalarField& alpha) const
     }
     if (wetting_.isAny())
     {
-        continueAngles(covered_, continued);
+        const scalarField straight(mesh_.nCells(), Zero);
+        continueAngles(covered_, straight, continued);
     }
     for (const label celli : covered_)
     {

@@ -61,7 +61,7 @@ Foam::grainWetting::place Foam::grainWetting::placeIn
 {
     const Vector<label>& directions = grains_.mesh().geometricD();
 
-    place result{Zero, -GREAT, 0};
+    place result{Zero, -GREAT, 0, 0};
     for (const grainMember& body : grains_.members(graini))
     {
         vector r(grains_.shortest(x - body.centre));
@@ -75,14 +75,22 @@ Foam::grainWetting::place Foam::grainWetting::placeIn
         const scalar depth = body.radius - mag(r);
         if (depth > result.depth)
         {
-            result = {r/max(mag(r), VSMALL), depth, mag(r)/body.radius};
+            result =
+            {
+                r/max(mag(r), VSMALL), depth, mag(r)/body.radius, body.radius
+            };
         }
     }
     return result;
 }
 
 
-void Foam::grainWetting::set(volVectorField& normal, scalarField& cosine) const
+void Foam::grainWetting::set
+(
+    const scalarField& curvature,
+    volVectorField& normal,
+    scalarField& sine
+) const
 {
     // Deeper there is no line that leaves with the angle
     constexpr scalar most = 0.99;
@@ -102,9 +110,11 @@ void Foam::grainWetting::set(volVectorField& normal, scalarField& cosine) const
             {
                 depth[o.cell] = at.depth;
                 normal[o.cell] = own < 0 ? vector(Zero) : at.outwards;
-                cosine[o.cell] = max
+                const scalar r = max(at.radius, SMALL);
+                const scalar bend = curvature[o.cell]*at.size;
+                sine[o.cell] = max
                 (
-                    min(cos(own)/max(at.radius, SMALL), most), -most
+                    min((cos(own) - 0.5*bend*(1 - sqr(r)))/r, most), -most
                 );
             }
         }

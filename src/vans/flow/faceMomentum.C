@@ -38,6 +38,35 @@ tmp<volScalarField> leastA
 }
 
 
+//- OpenFOAM's limiter of what a flux differs from that of its cells by, between
+//  cells of two fluids; 1 between others
+tmp<surfaceScalarField> limiterBetweenFluids
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& difference,
+    const volScalarField& rho
+)
+{
+    surfaceScalarField jump
+    (
+        mag(fvc::snGrad(rho))
+       /(rho.mesh().deltaCoeffs()*fvc::interpolate(rho))
+    );
+    jump.setOriented(false);
+    surfaceScalarField excess
+    (
+        min
+        (
+            mag(difference)
+           /(mag(flux) + dimensionedScalar("small", flux.dimensions(), SMALL)),
+            scalar(1)
+        )
+    );
+    excess.setOriented(false);
+    return 1 - pos(jump - 1e-3)*excess;
+}
+
+
 //- Share of the volume that moves with what the face does, times the share of the
 //  pressure gradient that moves it
 tmp<volScalarField> shareOf
@@ -70,9 +99,14 @@ tmp<surfaceScalarField> changeOfOldFlux
         // Drag and viscosity bring the flux of a face to that of its cells.  With
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
+        const surfaceScalarField difference
+        (
+            phiU.oldTime() - fvc::flux(step.alpha*U.oldTime())/alphaf
+        );
         return
-            fvc::interpolate(leastInertia(step, rho)/(A*deltaT))
-           *(phiU.oldTime() - fvc::flux(step.alpha*U.oldTime())/alphaf)/deltaT;
+            limiterBetweenFluids(phiU.oldTime(), difference, rho)
+           *fvc::interpolate(leastInertia(step, rho)/(A*deltaT))
+           *difference/deltaT;
     }
 
     // The same difference for OpenFOAM, which takes the mean of the cells

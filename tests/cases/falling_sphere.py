@@ -163,14 +163,18 @@ def falling_sphere(clone, cell, width, name=None):
         "system/controlDict",
         "runTimeModifiable false;",
         "runTimeModifiable false; adjustTimeStep yes; maxCo 0.5; maxAlphaCo 0.4;\n"
-        f"maxGrainCo 0.1; maxGrainDisplacement 0.1; maxDeltaT {longest!r};",
+        f"maxGrainCo {0.25 if at.is_fine else 0.1}; maxGrainDisplacement 0.1; maxDeltaT {longest!r};",
     )
     tracks = case.path / "system/controlDict"
     text = tracks.read_text()
     last = text.rindex("writeInterval")
     tracks.write_text(text[:last] + text[last:].replace("100000", "1", 1))
     solution = case.path / "system/fvSolution"
-    solution.write_text(solution.read_text().replace("1e-12", "1e-8"))
+    text = solution.read_text().replace("1e-12", "1e-8")
+    if at.is_fine:
+        multigrid = "GAMG;\n        smoother        DICGaussSeidel;"
+        text = text.replace("PCG;\n        preconditioner  DIC;", multigrid)
+    solution.write_text(text)
     return case
 
 

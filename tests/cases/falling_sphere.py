@@ -163,7 +163,8 @@ def falling_sphere(clone, cell, width, name=None):
         "system/controlDict",
         "runTimeModifiable false;",
         "runTimeModifiable false; adjustTimeStep yes; maxCo 0.5; maxAlphaCo 0.4;\n"
-        f"maxGrainCo {0.25 if at.is_fine else 0.1}; maxGrainDisplacement 0.1; maxDeltaT {longest!r};",
+        f"maxGrainCo {0.25 if at.is_fine else 0.1}; maxGrainDisplacement 0.1;\n"
+        f"maxDeltaT {longest!r};",
     )
     tracks = case.path / "system/controlDict"
     text = tracks.read_text()

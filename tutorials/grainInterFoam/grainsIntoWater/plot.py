@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of the fall, and the level over the volume that is immersed (snapshots/, results.csv)."""
+"""Pictures of the fall, level and volume that is immersed (snapshots/, results.csv)."""
 
 from pathlib import Path
 

@@ -60,6 +60,7 @@ def draw(case):
         seen = {"position": grains["position"][:, :2], "radius": grains["radius"]}
         grainplot.draw_grains(ax, seen, facecolors="sienna", linewidths=0)
         ax.set(title=f"t = {time} s", aspect="equal", xlim=(0, LENGTH), ylim=(0, TOP))
+        ax.set_xticks([0, 0.1, 0.2])
     sheet.savefig(f"snapshots/{case}.png", dpi=110)
     plt.close(sheet)
 

@@ -72,23 +72,19 @@ class Layout:
     width: float
 
     @property
-    def is_fine(self):
-        return self.cell < 0.2
-
-    @property
     def above(self):
         """Fall to the surface."""
-        return 2 if self.is_fine else max(2.5 * self.cell, 3)
+        return max(2.5 * self.cell, 3)
 
     @property
     def last(self):
         """The part of the fall in the liquid that counts: whole cells."""
-        return self.cell * math.ceil((1 if self.is_fine else 3) / self.cell)
+        return self.cell * math.ceil(3 / self.cell)
 
     @property
     def below(self):
         """Fall in the liquid."""
-        settle = 7 if self.cell > 0.25 else 3 if self.is_fine else 5
+        settle = 7 if self.cell > 0.25 else 5
         return max(settle + self.last, 3 * self.cell)
 
     @property
@@ -163,19 +159,14 @@ def falling_sphere(clone, cell, width, name=None):
         "system/controlDict",
         "runTimeModifiable false;",
         "runTimeModifiable false; adjustTimeStep yes; maxCo 0.5; maxAlphaCo 0.4;\n"
-        f"maxGrainCo {0.25 if at.is_fine else 0.1}; maxGrainDisplacement 0.1;\n"
-        f"maxDeltaT {longest!r};",
+        f"maxGrainCo 0.1; maxGrainDisplacement 0.1; maxDeltaT {longest!r};",
     )
     tracks = case.path / "system/controlDict"
     text = tracks.read_text()
     last = text.rindex("writeInterval")
     tracks.write_text(text[:last] + text[last:].replace("100000", "1", 1))
     solution = case.path / "system/fvSolution"
-    text = solution.read_text().replace("1e-12", "1e-8")
-    if at.is_fine:
-        multigrid = "GAMG;\n        smoother        DICGaussSeidel;"
-        text = text.replace("PCG;\n        preconditioner  DIC;", multigrid)
-    solution.write_text(text)
+    solution.write_text(solution.read_text().replace("1e-12", "1e-8"))
     return case
 
 

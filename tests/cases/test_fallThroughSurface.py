@@ -16,7 +16,7 @@ from water_box import liquid_ledger
         (0.5, 4),
         *(
             pytest.param(cell, width, marks=pytest.mark.slow)
-            for cell, width in ((2, 12), (0.7, 8.4), (0.35, 6.3), (0.25, 8), (0.125, 6))
+            for cell, width in ((2, 12), (0.7, 8.4), (0.35, 6.3), (0.25, 8))
         ),
     ],
 )

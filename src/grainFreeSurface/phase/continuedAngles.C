@@ -134,9 +134,23 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::beyondUpwind
         fv::gaussGrad<scalar>(mesh_).calcGrad(continued, "gradOfContinued")
     );
     const upwind<vector> scheme(mesh_, into);
-    return
-        scheme.interpolate(gradient)
-      & (mesh_.Cf() - scheme.interpolate(mesh_.C()));
+    surfaceVectorField arm(mesh_.Cf() - scheme.interpolate(mesh_.C()));
+
+    // Across a period centres are not where they are seen from the other side
+    forAll(arm.boundaryField(), patchi)
+    {
+        fvsPatchVectorField& patch = arm.boundaryFieldRef()[patchi];
+        if (patch.coupled())
+        {
+            const vectorField toFaces
+            (
+                patch.patch().Cf() - patch.patch().Cn()
+            );
+            patch == toFaces
+              - neg(into.boundaryField()[patchi])*patch.patch().delta();
+        }
+    }
+    return scheme.interpolate(gradient) & arm;
 }
 
 

@@ -87,6 +87,10 @@ void Foam::unresolvedTerm::predict
 
     transfer_.resize(overlaps.size());
     const bool isFixed = grains_.motion().isFixed();
+
+    // Of the whole grain: where it lies in the surface of two fluids, its parts in
+    // them would fall and rise by themselves in what the fluid expects
+    const scalarField displaced(weight_.displaced());
     setKnownForce(U);
     undisturbed_.set(grains_, resolved, fluid_, cellEps, U, *drag_);
 
@@ -117,7 +121,7 @@ void Foam::unresolvedTerm::predict
                     ),
                     deltaT,
                     rhop,
-                    inStep.at(o.arm, weight_.rho(o.cell)) + deltaT/rhop*e
+                    inStep.at(o.arm, displaced[graini]) + deltaT/rhop*e
                 );
 
             const scalar w = o.volume/V[o.cell];

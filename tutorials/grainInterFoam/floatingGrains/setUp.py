@@ -29,7 +29,7 @@ def discs():
 def raft():
     tank = {
         "left": 0, "right": 0.2, "bottom": -0.06, "top": 0.06, "cells": "50 30 1",
-        "across": 1, "upwards": 1, "end": 2, "write": 0.1, "stations": "((0.099 0 0))",
+        "across": 1, "upwards": 1, "end": 4, "write": 0.1, "stations": "((0.099 0 0))",
     }
     rows = [
         (0.0105 + 2.05 * BEAD * (i + 0.5 * (j % 2)), 0.0015 + 2.05 * BEAD * j, BEAD, "half")

@@ -222,7 +222,11 @@ void Foam::cutGrains::setFreeMotion()
         free_[graini] =
             motionInStep
             (
-                grains_.motion(), weight_, graini, mesh_.time().deltaTValue()
+                grains_.motion(),
+                weight_,
+                graini,
+                motion_[graini],
+                mesh_.time().deltaTValue()
             ).in(rho[graini]);
     }
     inSource_ = motion_;

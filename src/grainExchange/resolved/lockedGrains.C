@@ -52,8 +52,14 @@ void Foam::lockedGrains::setFreeMotion()
         if (cells_.isResolved(graini))
         {
             free_[graini] =
-                motionInStep(grains_.motion(), weight_, graini, deltaT)
-               .in(rho[graini]);
+                motionInStep
+                (
+                    grains_.motion(),
+                    weight_,
+                    graini,
+                    grains_.motion().motion(graini),
+                    deltaT
+                ).in(rho[graini]);
         }
     }
 

@@ -103,7 +103,11 @@ void Foam::unresolvedTerm::predict
         const scalar rhop = grains_.motion().density(graini);
         const grainMotion::twist motion(grains_.motion().motion(graini));
         const bool covers = undisturbed_.of(graini).covers;
-        const motionInStep inStep(grains_.motion(), weight_, graini, deltaT);
+        const grainMotion::twist free
+        (
+            motionInStep(grains_.motion(), weight_, graini, motion, deltaT)
+           .in(displaced[graini])
+        );
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
@@ -121,7 +125,7 @@ void Foam::unresolvedTerm::predict
                     ),
                     deltaT,
                     rhop,
-                    inStep.at(o.arm, displaced[graini]) + deltaT/rhop*e
+                    free.at(o.arm) + deltaT/rhop*e
                 );
 
             const scalar w = o.volume/V[o.cell];

@@ -89,7 +89,7 @@ Foam::scalar Foam::adjustableTimeStep::courantOfGrains() const
     scalar worst = 0;
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
-        const vector v(grains_.motion().motion(graini).velocity);
+        const vector v(grains_.motion().velocity(graini));
         for (const cellOverlap& o : overlaps.of(graini))
         {
             scalar sum = 0;
@@ -101,6 +101,20 @@ Foam::scalar Foam::adjustableTimeStep::courantOfGrains() const
         }
     }
     return returnReduce(worst, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::adjustableTimeStep::mostOfGrains() const
+{
+    const grainMotion& motion = grains_.motion();
+    scalar fastest = 0;
+    for (label graini = 0; graini < motion.size(); ++graini)
+    {
+        fastest = max(fastest, magSqr(motion.velocity(graini)));
+    }
+    const fvMesh& mesh = grains_.mesh();
+    const scalarField faces(fvc::surfaceSum(mesh.magSf())().primitiveField());
+    return 0.5*std::sqrt(fastest)*gMax(faces/mesh.V().field());
 }
 
 
@@ -162,6 +176,10 @@ void Foam::adjustableTimeStep::warnOnce(const surfaceScalarField& phiU)
         return;
     }
     const scalar ofFluid = courantOfFluid(phiU)*time_.deltaTValue();
+    if (max(ofFluid, mostOfGrains()*time_.deltaTValue()) <= 1)
+    {
+        return;
+    }
     const scalar ofGrains = courantOfGrains()*time_.deltaTValue();
     if (max(ofFluid, ofGrains) > 1)
     {

@@ -226,8 +226,9 @@ void Foam::cutGrains::setFreeMotion()
                 weight_,
                 graini,
                 motion_[graini],
+                rho[graini],
                 mesh_.time().deltaTValue()
-            ).in(rho[graini]);
+            );
     }
     inSource_ = motion_;
     resists_.resize(grains_.size());

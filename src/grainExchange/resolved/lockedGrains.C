@@ -58,8 +58,9 @@ void Foam::lockedGrains::setFreeMotion()
                     weight_,
                     graini,
                     grains_.motion().motion(graini),
+                    rho[graini],
                     deltaT
-                ).in(rho[graini]);
+                );
         }
     }
 

@@ -105,8 +105,15 @@ void Foam::unresolvedTerm::predict
         const bool covers = undisturbed_.of(graini).covers;
         const grainMotion::twist free
         (
-            motionInStep(grains_.motion(), weight_, graini, motion, deltaT)
-           .in(displaced[graini])
+            motionInStep
+            (
+                grains_.motion(),
+                weight_,
+                graini,
+                motion,
+                displaced[graini],
+                deltaT
+            )
         );
 
         for (const cellOverlap& o : overlaps.of(graini))

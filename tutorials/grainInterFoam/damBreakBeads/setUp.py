@@ -5,6 +5,8 @@
 import sys
 from pathlib import Path
 
+from grainwalls import write_gate
+
 LENGTH, TOP, COLUMN, LEVEL, DEEP = 0.2, 0.15, 0.05, 0.1, 0.1  # [m]
 BEAD, BEADS = 2.7e-3, 7762  # diameter [m], number over the whole depth
 CELL = 5e-3  # [m]
@@ -27,15 +29,7 @@ def main():
     }  # fmt: skip
     Path("tank").write_text("".join(f"{name} {value};\n" for name, value in tank.items()))
 
-    corners = [(COLUMN, -1e-3, -1), (COLUMN, TOP, -1), (COLUMN, TOP, 1), (COLUMN, -1e-3, 1)]
-    lines = ["solid gate"]
-    for facet in ((0, 1, 2), (0, 2, 3)):
-        lines += ["facet normal 1 0 0", "outer loop"]
-        lines += ["vertex {:g} {:g} {:g}".format(*corners[i]) for i in facet]
-        lines += ["endloop", "endfacet"]
-    folder = Path("constant/triSurface")
-    folder.mkdir(exist_ok=True)
-    (folder / "gate.stl").write_text("\n".join([*lines, "endsolid gate", ""]))
+    write_gate(COLUMN, -1e-3, TOP)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ Lengths in m.  shape: discs in a plane, or spheres in a slice of four diameters 
 import sys
 from pathlib import Path
 
+from grainwalls import write_gate
+
 END, AIR = 1.8, 0.1  # of the basin; above the column
 SLICE = 4 * 4.6e-3  # four diameters
 
@@ -41,12 +43,4 @@ at = [cell * (k + 0.5) for k in range(round(END / cell)) if k % round(0.02 / cel
 points = " ".join(f"({x:g} 0 {SLICE / 5:g})" for x in at)
 Path("stations").write_text(f"stations ({points});\n")
 
-corners = [(width, depth, -1), (width, top, -1), (width, top, 1), (width, depth, 1)]
-lines = ["solid gate"]
-for facet in ((0, 1, 2), (0, 2, 3)):
-    lines += ["facet normal 1 0 0", "outer loop"]
-    lines += ["vertex {:g} {:g} {:g}".format(*corners[i]) for i in facet]
-    lines += ["endloop", "endfacet"]
-folder = Path("constant/triSurface")
-folder.mkdir(exist_ok=True)
-(folder / "gate.stl").write_text("\n".join([*lines, "endsolid gate", ""]))
+write_gate(width, depth, top)

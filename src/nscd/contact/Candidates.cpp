@@ -6,7 +6,6 @@
 #include "nscd/search/Bisection.hpp"
 #include "nscd/search/Neighbours.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace nscd
@@ -22,23 +21,6 @@ constexpr std::size_t streams = 4;
 double mean(const std::vector<double>& values)
 {
     return values.empty() ? 1.0 : std::accumulate(values.begin(), values.end(), 0.0) / values.size();
-}
-
-/// Positions moved by whole periods into [0, period).
-template <int D>
-Vectors<D> wrapped(Vectors<D> positions, const std::array<double, 3>& period)
-{
-    for (int d = 0; d < D; ++d)
-    {
-        if (period[d] > 0)
-        {
-            for (Vector<D>& x : positions)
-            {
-                x[d] -= period[d] * std::floor(x[d] / period[d]);
-            }
-        }
-    }
-    return positions;
 }
 
 }  // namespace

@@ -14,23 +14,6 @@ namespace nscd
 namespace
 {
 
-/// In [0, period) along periodic axes.
-template <int D>
-Vectors<D> wrapped(Vectors<D> positions, const std::array<double, 3>& period)
-{
-    for (Vector<D>& x : positions)
-    {
-        for (int d = 0; d < D; ++d)
-        {
-            if (period[d] > 0)
-            {
-                x[d] -= period[d] * std::floor(x[d] / period[d]);
-            }
-        }
-    }
-    return positions;
-}
-
 template <int D>
 double distanceOfImages(Vector<D> way, const std::array<double, 3>& period)
 {

@@ -5,8 +5,27 @@
 
 #include "nscd/search/CellGrid.hpp"
 
+#include <cmath>
+
 namespace nscd
 {
+
+/// Positions [m] moved by whole periods [m] into [0, period); 0 where an axis is not periodic.
+template <int D>
+Vectors<D> wrapped(Vectors<D> positions, const std::array<double, 3>& period)
+{
+    for (int d = 0; d < D; ++d)
+    {
+        if (period[d] > 0)
+        {
+            for (Vector<D>& x : positions)
+            {
+                x[d] -= period[d] * std::floor(x[d] / period[d]);
+            }
+        }
+    }
+    return positions;
+}
 
 /// Finds the discs or spheres near each other at a cost that is linear in their number, whatever their sizes: one grid
 /// of cells for each range of sizes of a factor of two.

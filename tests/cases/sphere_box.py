@@ -33,7 +33,9 @@ def sphere_box(
         text = (case.path / file).read_text()
         text = text[: text.index("    frontAndBack")] + "}\n"
         (case.path / file).write_text(text.replace('"left|right|bottom|top"', '".*"'))
-    replace(case, "system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 1")
+    if mesh != "hexahedra":
+        file, entry = "system/fvSolution", "nNonOrthogonalCorrectors "
+        replace(case, file, entry + "0", entry + "1")
     control(case, writeFormat="ascii")
 
     file = case.path / "system/blockMeshDict"

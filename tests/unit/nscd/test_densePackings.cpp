@@ -21,7 +21,7 @@ namespace
 {
 
 template <int D>
-std::array<bool, D> along(bool value)
+std::array<bool, D> everyAxis(bool value)
 {
     std::array<bool, D> axes;
     axes.fill(value);
@@ -76,7 +76,7 @@ struct Packing
 template <int D>
 void expectPacked(const SizeDistribution& sizes, double solidFraction, bool periodic)
 {
-    Packing<D>(sizes, solidFraction, along<D>(periodic)).expectNoOverlap();
+    Packing<D>(sizes, solidFraction, everyAxis<D>(periodic)).expectNoOverlap();
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ TEST(DensePacking, OfSpheresIsRandom)
 {
     // Global bond order Q6, by the addition theorem; 0.57 for the face-centred cubic lattice, 1/sqrt(bonds) for
     // bonds in random directions
-    const Packing<3> packing(nscd::constantSize(0.053), 0.62, along<3>(true));
+    const Packing<3> packing(nscd::constantSize(0.053), 0.62, everyAxis<3>(true));
     Vectors<3> bonds;
     for (std::size_t i = 0; i < packing.x.size(); ++i)
     {
@@ -150,7 +150,7 @@ TEST(DensePacking, OfSpheresIsRandom)
 TEST(DensePacking, IsTheSameForASeed)
 {
     const auto packed = [](std::uint64_t seed)
-    { return Packing<2>(nscd::uniformSize(0.03, 0.05), 0.8, along<2>(false), seed).x; };
+    { return Packing<2>(nscd::uniformSize(0.03, 0.05), 0.8, everyAxis<2>(false), seed).x; };
     EXPECT_EQ(packed(4), packed(4));
     EXPECT_NE(packed(4), packed(5));
 }
@@ -190,7 +190,7 @@ TEST(DensePacking, SaysWhenItFindsNone)
     const auto tooDense = [](double radius, double solidFraction)
     {
         return messageOf<std::runtime_error>(
-            [&] { Packing<3>(nscd::constantSize(radius), solidFraction, along<3>(true)); });
+            [&] { Packing<3>(nscd::constantSize(radius), solidFraction, everyAxis<3>(true)); });
     };
     for (const double solidFraction : {0.67, 0.75, 0.9})  // 0.74 is the densest that there is
     {

@@ -32,7 +32,7 @@ Scene<D> bouncing(double restitution, double friction = 0)
 }
 
 template <int D>
-nscd::Vector<D> along(double x)
+nscd::Vector<D> inLine(double x)
 {
     return x * nscd::Vector<D>::UnitX();
 }
@@ -69,12 +69,12 @@ TYPED_TEST(Impact, InARowOfThreeIsPassedOnWithinTheStep)
         Scene<D> scene = bouncing<D>(e);
         for (int i = 0; i < 3; ++i)
         {
-            scene.add(along<D>(i * (2 + gap * dt)), along<D>(i == 0));
+            scene.add(inLine<D>(i * (2 + gap * dt)), inLine<D>(i == 0));
         }
         auto dynamics = scene.dynamics();
         for (int i = 0; i < 4000; ++i)   // the first meets the second again with 2e-4 of its velocity
         {
-            fall<D>(dynamics, along<D>(0), dt);
+            fall<D>(dynamics, inLine<D>(0), dt);
         }
         for (int i = 0; i < 3; ++i)
         {
@@ -94,12 +94,12 @@ TYPED_TEST(Impact, OnACradleLetsAsManyLeaveAsCome)
             Scene<D> scene = bouncing<D>(1);
             for (int i = 0; i < 6; ++i)
             {
-                scene.add(along<D>(i * (2 + gap) - (i < come ? 0.31 : 0)), along<D>(i < come));
+                scene.add(inLine<D>(i * (2 + gap) - (i < come ? 0.31 : 0)), inLine<D>(i < come));
             }
             auto dynamics = scene.dynamics();
             for (int i = 0; i < 40; ++i)
             {
-                fall<D>(dynamics, along<D>(0), dt);
+                fall<D>(dynamics, inLine<D>(0), dt);
             }
             for (int i = 0; i < 6; ++i)
             {
@@ -274,9 +274,9 @@ TYPED_TEST(Impact, FartherThanTheCandidatesReachIsFollowed)
     constexpr int D = TestFixture::dimension;
     // A light grain between a heavy one that comes and nothing near leaves ten times faster than the candidates' skin
     Scene<D> scene = bouncing<D>(1);
-    scene.add(along<D>(0), along<D>(1), 1, 1e6);
-    scene.add(along<D>(2.01), along<D>(-1), 1, 1e-3);
-    scene.add(along<D>(4.6), along<D>(0), 1, 1e-3);
+    scene.add(inLine<D>(0), inLine<D>(1), 1, 1e6);
+    scene.add(inLine<D>(2.01), inLine<D>(-1), 1, 1e-3);
+    scene.add(inLine<D>(4.6), inLine<D>(0), 1, 1e-3);
     auto dynamics = scene.dynamics();
     fall<D>(dynamics, nscd::Vector<D>::Zero(), 0.25);
     // It bounces to 3 m/s, meets the third, which takes all, and is overtaken by the first

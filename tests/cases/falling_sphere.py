@@ -22,6 +22,7 @@ from water_box import to_two_fluids
 LAW, RE = "SchillerNaumann", 10
 D, G, SPHERE = 1e-3, 9.81, 2000.0  # [m], [m/s^2], [kg/m^3]
 RATIO = 5  # of stretched cells, the last over the first
+START_IN_CELL = 0.13, 0.31
 GRAINS = "constant/grainProperties"
 HEADER = "FoamFile { version 2.0; format ascii; class volScalarField; object alpha.water; }\n"
 
@@ -138,11 +139,12 @@ class Layout:
         return np.array(faces)
 
 
-def falling_sphere(clone, cell, width, name=None):
+def falling_sphere(clone, cell, width, start=START_IN_CELL, name=None):
+    """The sphere `start` cells beside a corner of cells in the middle of the box."""
     at = Layout(cell, width)
     case = sphere_box(clone, name=name or f"cell{cell}")
     mesh(case, at)
-    place_sphere(case, at)
+    place_sphere(case, at, start)
     replace(case, "0/U", "noSlip", "slip")
     to_two_fluids(case, (LIQUID.rho, AIR.rho))
     for old, fluid in (("1e-6", LIQUID), ("1.48e-5", AIR)):
@@ -189,10 +191,9 @@ def mesh(case, at):
     case.run("blockMesh")
 
 
-def place_sphere(case, at):
-    """Beside the middle of the box, at the same place in its cells for all sizes."""
+def place_sphere(case, at, start):
     middle = at.wide / 2 + (at.cell / 2 if at.cell > 0.25 and at.n % 2 else 0)
-    x, y = middle + 0.13 * at.cell, middle + 0.31 * at.cell
+    x, y = (middle + s * at.cell for s in start)
     row = [*(D * v for v in (x, y, at.surface + at.above)), D / 2, -START]
     (case.path / "constant/grains.csv").write_text(
         "x,y,z,radius,vz\n" + ",".join(repr(float(v)) for v in row) + "\n"

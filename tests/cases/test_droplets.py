@@ -74,7 +74,7 @@ def test_a_droplet_evaporates_to_the_last(clone):
         return y * (np.log(outer) - 0.5 * np.log(y) + 0.5)
 
     life = area(radius**2) / (2 * GAS_K / (density * GAS_CP) * np.log1p(B))
-    control(case, endTime=1.2 * life, deltaT=2e-3, writeInterval=10000)
+    control(case, endTime=1.05 * life, deltaT=2e-3, writeInterval=10000)
     case.run("grainDropletFoam")
     book = droplet_table(case)
     assert book["time"][-1] == pytest.approx(life, rel=0.03)

@@ -67,7 +67,7 @@ def test_boiling_in_a_stream(clone, Re):
     fluid = f"Cp {GAS_CP}; kappa {kappa};"
     case = in_stream(clone, radius, speed, nu, gas, fluid, density=1e9)
     dt = radius / 16 / speed
-    control(case, endTime=6e-3, deltaT=dt, writeInterval=1000)
+    control(case, endTime=5e-3, deltaT=dt, writeInterval=1000)
     case.run("grainDropletFoam")
     rate = droplet_table(case)["vapour"][-1] / dt
     nusselt = 2 + 0.6 * np.sqrt(Re) * PRANDTL ** (1 / 3)

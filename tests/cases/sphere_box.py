@@ -14,9 +14,20 @@ import grainplot
 import numpy as np
 from dry_box import GRAINS, write_grains
 from grain_box import control, replace
+from moving_mesh import write
 
 SIDE = 0.1
 PATCHES = ("left", "right", "bottom", "top", "back", "front")
+
+
+def correct_non_orthogonal(case):
+    replace(case, "system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 1")
+
+
+def refine(case, dictionary):
+    """constant/dynamicMeshDict; faces between two sizes of cells are not orthogonal."""
+    write(case, "constant/dynamicMeshDict", "dictionary", dictionary)
+    correct_non_orthogonal(case)
 
 
 def sphere_box(
@@ -34,8 +45,7 @@ def sphere_box(
         text = text[: text.index("    frontAndBack")] + "}\n"
         (case.path / file).write_text(text.replace('"left|right|bottom|top"', '".*"'))
     if mesh != "hexahedra":
-        file, entry = "system/fvSolution", "nNonOrthogonalCorrectors "
-        replace(case, file, entry + "0", entry + "1")
+        correct_non_orthogonal(case)
     control(case, writeFormat="ascii")
 
     file = case.path / "system/blockMeshDict"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from grain_box import control, grain_box, lattice, ledger, open_ends, replace, tracks
 from moving_mesh import add_motion, translate, write
-from sphere_box import field, random_spheres, sphere_box
+from sphere_box import field, random_spheres, refine, sphere_box
 
 SPEED = 0.1
 
@@ -87,7 +87,7 @@ def refined_box(clone, scheme="Euler", name=None):
     """Spheres that fall from all over the box, in cells that are refined where they are."""
     centres, radii = random_spheres(np.random.default_rng(3), np.full(12, 0.006))
     case = sphere_box(clone, centres, radii, n=8, name=name)
-    write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
+    refine(case, REFINEMENT)
     file = case.path / "constant/transportProperties"
     file.write_text(file.read_text() + "scalars { dye { D 0; } }\n")
     x, y, z = np.meshgrid(*3 * [(np.arange(8) + 0.5) / 8], indexing="ij")

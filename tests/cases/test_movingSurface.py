@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from grain_box import control, replace
 from moving_mesh import add_motion, translate, write
-from sphere_box import decompose, sphere_box
+from sphere_box import decompose, refine, sphere_box
 from water_box import level, liquid_ledger, to_two_fluids, water_box
 
 WALLS = '"left|right|bottom|top"'
@@ -107,7 +107,7 @@ def spheres_into_water(clone, name=None):
         f"dimensions [0 0 0 0 0 0 0];\ninternalField nonuniform List<scalar> 512\n({values}\n);\n"
         'boundaryField { ".*" { type zeroGradient; } }\n',
     )
-    write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
+    refine(case, REFINEMENT)
     control(case, endTime=0.2, deltaT=1e-3, writeInterval=100)
     return case
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from grain_box import control, ledger, replace, run_whole_and_parts
 from moving_mesh import write
-from sphere_box import decompose, field, sphere_box
+from sphere_box import decompose, field, refine, sphere_box
 
 SPEED = 0.05
 STEPS = 100
@@ -76,8 +76,6 @@ def bed(clone, n=N, refined=True, name=None, draw=7):
         text = text.replace(f"{patch}\n    {{\n        type    wall", f"{patch} {{ type patch")
     blocks.write_text(text)
     case.run("blockMesh")
-    # Faces between cells of two sizes are not at right angles to what they join
-    replace(case, "system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 1")
     replace(case, "constant/g", "-9.81", "0")
     replace(case, "constant/grainProperties", "coupling\n{", "coupling\n{\n    motion fixed;")
     replace(
@@ -109,7 +107,7 @@ def bed(clone, n=N, refined=True, name=None, draw=7):
     replace(case, "system/fvSolution", "solvers\n{", "solvers\n{\n" + solver)
     replace(case, "system/controlDict", "functions\n{", "functions\n{" + DROP)
     if refined:
-        write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
+        refine(case, REFINEMENT)
     control(case, deltaT=2e-3, endTime=2e-3 * STEPS, writeInterval=STEPS // 2, writeFormat="binary")
     return case
 

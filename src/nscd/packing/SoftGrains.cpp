@@ -53,28 +53,28 @@ bool SoftGrains<D>::pairsAreOutdated() const
 }
 
 template <int D>
-void SoftGrains<D>::wrap()
+std::array<double, 3> SoftGrains<D>::period() const
 {
+    std::array<double, 3> result{0, 0, 0};
     for (int axis = 0; axis < D; ++axis)
     {
-        for (Vector<D>& x : x_)
-        {
-            x[axis] -= periodic_[axis] ? size_[axis] * std::floor(x[axis] / size_[axis]) : 0;
-        }
+        result[axis] = periodic_[axis] ? size_[axis] : 0;
     }
+    return result;
+}
+
+template <int D>
+const Vectors<D>& SoftGrains<D>::centres()
+{
+    x_ = wrapped<D>(std::move(x_), period());
+    return x_;
 }
 
 template <int D>
 void SoftGrains<D>::findPairs()
 {
-    wrap();
-    std::array<double, 3> period{0, 0, 0};
-    for (int axis = 0; axis < D; ++axis)
-    {
-        period[axis] = periodic_[axis] ? size_[axis] : 0;
-    }
     pairs_.clear();
-    const Neighbours<D> neighbours(x_, radius_, margin_, period);
+    const Neighbours<D> neighbours(centres(), radius_, margin_, period());
     for (int i = 0; i < static_cast<int>(x_.size()); ++i)
     {
         neighbours.forNear(i, i, [&](int j) { pairs_.push_back({i, j}); });

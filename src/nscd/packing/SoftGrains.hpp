@@ -22,11 +22,7 @@ public:
                Vectors<D> centres);
 
     /// Centres; along periodic axes within the box.
-    const Vectors<D>& centres()
-    {
-        wrap();
-        return x_;
-    }
+    const Vectors<D>& centres();
 
     /// Deepest overlap over the sum of the radii that overlap; a wall has none.
     double deepestOverlap() const { return deepest_; }
@@ -43,7 +39,7 @@ public:
 
 private:
     bool pairsAreOutdated() const;
-    void wrap();
+    std::array<double, 3> period() const;
     void findPairs();
     void findForces();
     void addWalls(std::size_t i, int axis);

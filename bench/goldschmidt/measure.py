@@ -8,24 +8,18 @@
                                                     tables of both codes, beds.png
 """
 
-import re
 import sys
 from pathlib import Path
 
 import grainplot
 import matplotlib.pyplot as plt
 import numpy as np
+from peers import rates, vectors, worst_overlap
 
 D, RHO = 2.5e-3, 1.2
 WIDTH, DEPTH = 0.15, 0.015
 LOWEST = 60  # cells of the lowest layer
 WEIGHT = 24750 * np.pi / 6 * D**3 * (2526 - RHO) * 9.81 / (WIDTH * DEPTH)
-
-
-def vectors(path):
-    """Values (n, 3) of an ascii list of vectors."""
-    text = Path(path).read_text().split("// * * *")[-1]
-    return np.array(re.findall(r"^\((\S+) (\S+) (\S+)\)", text, re.M), dtype=float)
 
 
 def peer_grains(case, time):
@@ -47,20 +41,7 @@ def state(solver, case, time):
     field, factor = ("p", RHO) if solver == "DPMFoam" else ("p_rgh", 1)
     pressure = factor * grainplot.read_field(case, time, field)[:LOWEST].mean()
     position, _ = GRAINS[solver](case, time)
-    return position[:, 2].mean(), pressure, worst_overlap(position)
-
-
-def worst_overlap(position):
-    """Of two grains, over the diameter: grains are looked for within a diameter along z."""
-    position = position[np.argsort(position[:, 2])]
-    worst = D
-    for k in range(1, len(position)):
-        apart = position[k:] - position[:-k]
-        near = apart[:, 2] < worst
-        if not near.any():
-            break
-        worst = min(worst, np.linalg.norm(apart[near], axis=1).min())
-    return 1 - worst / D
+    return position[:, 2].mean(), pressure, worst_overlap(position, np.full(len(position), D / 2))
 
 
 def draw_bed(ax, position, velocity, title):
@@ -84,17 +65,6 @@ def beds(pictures, path):
     figure.savefig(path, dpi=110)
 
 
-def rates(runs):
-    """CPU seconds per simulated second; ratio of the two codes from the same start."""
-    print("| start | code | simulated s | CPU s | CPU s per simulated s | ratio |")
-    print("|---|---|---|---|---|---|")
-    peer = None
-    for solver, start, seconds, cpu, _ in runs:
-        rate = float(cpu) / float(seconds)
-        peer = rate if solver == "DPMFoam" else peer
-        print(f"| {start} | {solver} | {seconds} | {cpu} | {rate:.0f} | {peer / rate:.1f} |")
-
-
 def states(runs):
     """What the runs have come to."""
     print("| start | code | t [s] | mean height [mm] | pressure below / weight | overlap / d |")
@@ -114,7 +84,7 @@ def main():
             print("({:.9g} {:.9g} {:.9g})".format(*x))
         return
     runs = list(zip(*[iter(arguments)] * 5, strict=True))
-    rates([run for run in runs if run[3] != "-"])
+    rates([run for run in runs if run[3] != "-"], "DPMFoam")
     print()
     states(runs)
     pictures = []

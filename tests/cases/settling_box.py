@@ -23,6 +23,8 @@ PLACES = {(1 / 8, 1 / 8): 1, (1 / 8, 3 / 8): 2, (3 / 8, 3 / 8): 1}
 DRAG = {  # over Stokes' drag
     "SchillerNaumann": lambda Re: 1 + 0.15 * Re**0.687,
     "DallavalleDiFelice": lambda Re: (0.63 * Re**0.5 + 4.8) ** 2 / 24,
+    # Re <= 20: Clift, Grace and Weber, Bubbles, Drops, and Particles, 1978
+    "standard": lambda Re: 1 + 0.1315 * Re ** (0.82 - 0.05 * math.log10(Re)),
 }
 
 

@@ -47,6 +47,25 @@ def test_masses_that_the_solver_cannot_cope_with_are_reported(clone):
     assert case.log.count(warning) == 1
 
 
+def test_spheres_that_creep_and_cover_cells_are_reported(clone):
+    """Of 2.5 cells: Stokes' regime in syrup, not in water; or resolved."""
+    warning = "coupling/resolvedGrains { from 2; } resolves"
+    case = sphere_box(clone)
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n0.05,0.05,0.05,0.0125\n")
+    case.run("checkGrains")
+    assert "law, over several cells: 1, Reynolds numbers of settling" in case.log
+    assert warning not in case.log
+
+    replace(case, "constant/transportProperties", "0] 1e-4;", "0] 1e-2;")
+    case.run("checkGrains")
+    assert case.log.count(warning) == 1
+
+    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    resolvedGrains { from 2; }")
+    case.run("checkGrains")
+    assert "resolved: 1, Reynolds numbers of settling" in case.log
+    assert warning not in case.log
+
+
 def test_courant_numbers_above_1_are_reported_once(clone):
     case = grain_box(clone, [(0.05, 0.07)], velocity=[(0, -3)])
     control(case, endTime=0.01, deltaT=1e-3)

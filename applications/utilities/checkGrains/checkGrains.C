@@ -10,9 +10,9 @@ Group
 
 Description
     What checkMesh is to a mesh: number and sizes of grains, overlaps, packing
-    fraction, grains outside the mesh, cell size over diameter, and the time
-    step that is recommended, with the reason.  Of grains with heat in a fluid
-    with heat, their Biot numbers.
+    fraction, grains outside the mesh, cell size over diameter, how the flow about
+    grains comes about, and the time step that is recommended, with the reason.
+    Of grains with heat in a fluid with heat, their Biot numbers.
 
     The grains are those of grains.h5 in the start time if there is one, else
     the initial grains of constant/grainProperties.  They are in a fluid if
@@ -26,6 +26,7 @@ Description
 #include "dictionaryInput.H"
 #include "BiotNumbers.H"
 #include "dragLaw.H"
+#include "flowRegimes.H"
 #include "fluidInput.H"
 #include "functionOfTemperature.H"
 #include "grainChecks.H"
@@ -93,6 +94,7 @@ void printTimeStepInFluid
       ? functionOfTemperature(transport, "mu", dimDynamicViscosity).at(T)
       : rho*dictionaryInput::getPositive(transport, "nu", dimViscosity);
 
+    printFlowRegimes(properties, grains, *drag, rho, mu);
     printTimeStep(properties, grains, *drag, rho, mu);
     if (properties.dict().found("heat"))
     {

@@ -49,7 +49,7 @@ def test_masses_that_the_solver_cannot_cope_with_are_reported(clone):
 
 def test_spheres_that_creep_and_cover_cells_are_reported(clone):
     """Of 2.5 cells: Stokes' regime in syrup, not in water; or resolved."""
-    warning = "coupling/resolvedGrains { from 2; } resolves"
+    warning = "coupling/resolvedGrains { type locked; from 2; } resolves"
     case = sphere_box(clone)
     (case.path / "constant/grains.csv").write_text("x,y,z,radius\n0.05,0.05,0.05,0.0125\n")
     case.run("checkGrains")
@@ -60,7 +60,7 @@ def test_spheres_that_creep_and_cover_cells_are_reported(clone):
     case.run("checkGrains")
     assert case.log.count(warning) == 1
 
-    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    resolvedGrains { from 2; }")
+    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    resolvedGrains { type locked; from 2; }")
     case.run("checkGrains")
     assert "resolved: 1, Reynolds numbers of settling" in case.log
     assert warning not in case.log

@@ -97,8 +97,8 @@ void Foam::printFlowRegimes
             << "Where it is alone, a sphere of one and a half cells and more"
             << " that settles at a Reynolds number below " << creeping
             << " is up to a third too fast by a law" << nl
-            << "    coupling/resolvedGrains { from 2; } resolves the flow about"
-            << " it; dense beds keep their laws" << endl;
+            << "    coupling/resolvedGrains { type locked; from 2; } resolves"
+            << " the flow about it; dense beds keep their laws" << endl;
     }
 }
 

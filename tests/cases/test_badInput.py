@@ -382,6 +382,20 @@ TABLE = [
         [GRAINS, "drag", "'type' is missing", "Rong"],
     ),
     (
+        "resolvedCoarse",
+        swap(
+            GRAINS,
+            "\ncoupling\n{",
+            "\ncoupling\n{ coarseGraining 2; resolvedGrains { type locked; }",
+        ),
+        [GRAINS, "'type'", "value locked", "none, with coarseGraining"],
+    ),
+    (
+        "coarseGraining",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ coarseGraining 0.5;"),
+        [GRAINS, "'coarseGraining'", "value 0.5", "1 to 100"],
+    ),
+    (
         "resolvedFrom",
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ resolvedGrains { type locked; from 1; }"),
         [GRAINS, "'from'", "value 1", "2"],

@@ -62,11 +62,14 @@ def Ranz_Marshall(Re, Pr):
     return 2 + 0.6 * np.sqrt(Re) * np.cbrt(Pr)
 
 
-def test_lone_hot_grain_cools_exponentially(clone):
-    """The deck of MFiX and CFDEMcoupling, 1.84 s; in cells so large that the stream stays cold."""
+@pytest.mark.parametrize("coarse, time", [(1, 1.8402), (2, 0.6270)])
+def test_lone_hot_grain_cools_exponentially(clone, coarse, time):
+    """The deck of MFiX and CFDEMcoupling, 1.84 s; in cells so large that the stream stays cold.
+    The same grain as eight of half the diameter."""
     U, d, rho, mu, k, cp = 6.0, 3.6e-3, 1.1854, 1.85e-5, 0.026, 1007.0
     T_0, T_f = 373.15, 298.15
     case = sphere_box(clone, [(5000.0, 5000.0, 5000.0)], d / 2, n=4, side=1e4)
+    d /= coarse
     fix_grains(case)
     stream(case, U)
     fluid = f"Cp {cp}; kappa {k};"
@@ -76,12 +79,13 @@ def test_lone_hot_grain_cools_exponentially(clone):
     law = "type RanzMarshall;"
     with_heat(case, T_f, T_0, patches, law, fluid, ofGlass="heatCapacity 55;", empty="")
     replace(case, GRAINS, "density 2500;", "density 8850;")
+    case.dict_set(GRAINS, "coupling/coarseGraining", coarse)
     control(case, deltaT=0.05, endTime=5, writeInterval=100)
     case.run("grainThermalFoam")
     book = assert_books_close(case)
     Nu = Ranz_Marshall(rho * U * d / mu, mu * cp / k)
     tau = 8850 * 55 * d**2 / (6 * k * Nu)
-    assert tau == pytest.approx(1.8402, abs=1e-4)
+    assert tau == pytest.approx(time, abs=1e-4)
     expected = T_f + (T_0 - T_f) * np.exp(-book["time"] / tau)
     np.testing.assert_allclose(book["meanGrainT"], expected, atol=1e-6 * (T_0 - T_f))
 

@@ -41,8 +41,11 @@ def small_grain(clone, request):
 PHI = np.pi / 4 * 1e-3**2 / 0.1**2
 
 
-def test_small_grain_settles_at_the_speed_of_the_drag_law(small_grain):
-    d, mu = 1e-3, small_grain.mu
+@pytest.mark.parametrize("coarse", [1, 3])
+def test_small_grain_settles_at_the_speed_of_the_drag_law(small_grain, coarse):
+    """Of a disc that stands for nine alike."""
+    small_grain.dict_set("constant/grainProperties", "coupling/coarseGraining", coarse)
+    d, mu = 1e-3 / coarse, small_grain.mu
     speed = settling_speed(d, mu)
     end = 10 * RHO_GRAIN / gamma(speed, d, mu)
     control(small_grain, deltaT=end / 100, endTime=end, writeInterval=100)

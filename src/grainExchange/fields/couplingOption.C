@@ -5,7 +5,7 @@
 
 #include "couplingOption.H"
 
-#include "dictionaryInput.H"
+#include "coarseGraining.H"
 
 std::optional<Foam::scalar> Foam::couplingOption
 (
@@ -32,6 +32,7 @@ Foam::chosenOption Foam::couplingOption
     const bool isPossible
 )
 {
+    const bool isCoarse = coarseGraining(coupling) > 1;
     word type(types[0]);
     std::optional<scalar> value(number.deflt);
     if (coupling.found(keyword))
@@ -50,16 +51,18 @@ Foam::chosenOption Foam::couplingOption
         {
             value.reset();
         }
-        else if (!isPossible)
+        else if (!isPossible || isCoarse)
         {
             dictionaryInput::badValue
             (
                 dict, "type", type,
-                "none, with the chosen type of voidFraction"
+                isCoarse
+              ? "none, with coarseGraining"
+              : "none, with the chosen type of voidFraction"
             );
         }
     }
-    if (!isPossible)
+    if (!isPossible || isCoarse)
     {
         value.reset();
     }

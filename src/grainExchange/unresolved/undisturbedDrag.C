@@ -16,10 +16,11 @@ Foam::undisturbedFlow::correction Foam::undisturbedFlow::correctionOf
 (
     const flowAround& flow,
     const vector& v,
-    const selfInduced::drag& grain
+    const selfInduced::drag& grain,
+    const scalar diameter
 ) const
 {
-    const scalar x = grain.d/max(flow.cellSize, VSMALL);
+    const scalar x = diameter/max(flow.cellSize, VSMALL);
 
     correction result;
     result.covers = exact_ && x > std::sqrt(2.0);

@@ -191,7 +191,8 @@ void Foam::undisturbedFlow::set
         (
             flows[i],
             grains.motion().velocity(i),
-            {law, grains.fluidDiameter(i), flows[i].rho, flows[i].mu}
+            {law, grains.lawDiameter(i), flows[i].rho, flows[i].mu},
+            grains.fluidDiameter(i)
         );
     }
 }

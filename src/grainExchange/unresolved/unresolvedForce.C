@@ -24,7 +24,7 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         const grainMotion::twist motion(grains_.motion().motion(graini));
-        const scalar d = grains_.fluidDiameter(graini);
+        const scalar d = grains_.lawDiameter(graini);
 
         for (const cellOverlap& o : overlaps.of(graini))
         {

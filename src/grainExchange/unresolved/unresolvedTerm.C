@@ -58,7 +58,7 @@ Foam::scalar Foam::unresolvedTerm::gamma
     const selfInduced::drag grain
     {
         *drag_,
-        grains_.fluidDiameter(graini),
+        grains_.lawDiameter(graini),
         fluid_.rho()[o.cell],
         fluid_.mu()[o.cell]
     };

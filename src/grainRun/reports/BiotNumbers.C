@@ -46,8 +46,6 @@ void Foam::printBiotNumbers
         (
             meanTemperature(grains)
         );
-    const scalar ratio =
-        properties.space().lengthRatio(properties.packingRatio());
     const dictionary& materials = properties.dict().subDict("materials");
 
     scalar largest = 0;
@@ -59,7 +57,7 @@ void Foam::printBiotNumbers
             materials.subDict(properties.materials().names()[materiali]),
             "conductivity", dimConductivity, GREAT
         );
-        const scalar d = 2*grains.radius[i]*ratio;
+        const scalar d = properties.lawDiameter(grains.radius[i]);
         const scalar speed = settlingSpeed
         (
             drag, d, properties.materials().density(materiali), rho, mu,

@@ -61,13 +61,11 @@ void Foam::printFlowRegimes
         {"law, over several cells", (1 - 1e-6)*from},
         {"resolved", VGREAT}
     }};
-    const scalar ratio =
-        properties.space().lengthRatio(properties.packingRatio());
     const scalar cell = properties.space().cellSizeRange().first();
 
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        const scalar d = 2*grains.radius[i]*ratio;
+        const scalar d = properties.lawDiameter(grains.radius[i]);
         const scalar speed = settlingSpeed
         (
             drag, d, properties.materials().density(grains.material[i]), rho,

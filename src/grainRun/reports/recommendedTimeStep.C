@@ -101,8 +101,6 @@ void Foam::printTimeStep
 )
 {
     const scalar g = mag(properties.g());
-    const scalar ratio =
-        properties.space().lengthRatio(properties.packingRatio());
 
     scalar speed = speedAndDiameter(grains).first();
     for (std::size_t i = 0; i < grains.size(); ++i)
@@ -113,7 +111,7 @@ void Foam::printTimeStep
             settlingSpeed
             (
                 drag,
-                2*grains.radius[i]*ratio,
+                properties.lawDiameter(grains.radius[i]),
                 properties.materials().density(grains.material[i]),
                 rho, mu, g
             )

@@ -44,7 +44,7 @@ Foam::scalar Foam::unresolvedHeat::h
       + (1 - own.share)*min(cellEps + own.lone*share, scalar(1));
     const scalar slip =
         own.share*own.slip + (1 - own.share)*own.slipFactor*cellSlip;
-    const scalar d = grains_.fluidDiameter(graini);
+    const scalar d = grains_.lawDiameter(graini);
     const scalar mu = fluid_.mu()[o.cell];
     const scalar k = conductor_.kappa()[o.cell];
     const scalar rho = fluid_.rho()[o.cell];
@@ -118,7 +118,7 @@ void Foam::unresolvedHeat::add
             (
                 used.mostRe,
                 eps[o.cell]*fluid_.rho()[o.cell]*slip
-               *grains_.fluidDiameter(graini)/fluid_.mu()[o.cell]
+               *grains_.lawDiameter(graini)/fluid_.mu()[o.cell]
             );
             conductance_[o.index] =
                 o.volume

@@ -5,6 +5,7 @@
 
 #include "grainProperties.H"
 
+#include "coarseGraining.H"
 #include "dictionaryInput.H"
 #include "Enum.H"
 #include "meshPeriod.H"
@@ -86,9 +87,9 @@ void Foam::grainProperties<D>::check() const
         (
             coupling(),
             {
-                "packingRatio", "motion", "form", "voidFraction", "drag", "viscosity",
-                "heatTransfer",
-                "addedMass", "lift", "undisturbedFlow", "resolvedGrains"
+                "packingRatio", "coarseGraining", "motion", "form", "voidFraction",
+                "drag", "viscosity", "heatTransfer", "addedMass", "lift",
+                "undisturbedFlow", "resolvedGrains"
             }
         );
     }
@@ -140,6 +141,14 @@ Foam::scalar Foam::grainProperties<D>::readPackingRatio() const
             coupling(), "packingRatio", dimless, 1, 0.1, 1
         )
       : 1;
+}
+
+
+template<int D>
+Foam::scalar Foam::grainProperties<D>::lawDiameter(const scalar radius) const
+{
+    return
+        2*radius*space_.lengthRatio(packingRatio_)/coarseGraining(coupling());
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "grainSystem.H"
 
+#include "coarseGraining.H"
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
 #include "periodicCells.H"
@@ -19,7 +20,8 @@ Foam::grainSystem::grainSystem
 )
 :
     mesh_(mesh),
-    motion_(grainMotion::New(mesh, g))
+    motion_(grainMotion::New(mesh, g)),
+    coarseGraining_(coarseGraining(motion_->coupling()))
 {
     if (motion_->conducts() && !withHeat)
     {
@@ -59,7 +61,8 @@ Foam::grainSystem::grainSystem
 )
 :
     mesh_(mesh),
-    motion_(grainMotion::New(mesh, g, set))
+    motion_(grainMotion::New(mesh, g, set)),
+    coarseGraining_(coarseGraining(motion_->coupling()))
 {
     start();
 }

@@ -7,9 +7,9 @@
     before, after = speeds_over_law(case, cell=1, width=8)
 
 Lengths are in diameters.  Cells of four and more in a diameter are of one size around the sphere
-and stretched beyond.  In the liquid the law's terminal speed has the Reynolds number 10.  Such
-spheres have no law; theirs is the standard curve, as Schiller and Naumann's drag is 2.5 % below it
-at this Reynolds number (and 3.6 % below that of a sphere computed on a mesh fitted to it, 4.306).
+and stretched beyond.  In the liquid the law's terminal speed has the Reynolds number 10, or
+another.  Such spheres have no law; theirs is the standard curve, as Schiller and Naumann's drag is
+2.5 % below it at 10 (and 3.6 % below that of a sphere computed on a mesh fitted to it, 4.306).
 """
 
 import math
@@ -21,7 +21,7 @@ from settling_box import DRAG, speed_in_box
 from sphere_box import sphere_box
 from water_box import to_two_fluids
 
-LAW, RE = "SchillerNaumann", 10
+LAW = "SchillerNaumann"
 D, G, SPHERE = 1e-3, 9.81, 2000.0  # [m], [m/s^2], [kg/m^3]
 RATIO = 5  # of stretched cells, the last over the first
 START_IN_CELL = 0.13, 0.31
@@ -45,7 +45,7 @@ class Fluid:
 
     def terminal(self, width, law=LAW):
         """[m/s]"""
-        low, high = 0.0, 20 * RE * self.nu / D
+        low, high = 0.0, 400 * self.nu / D
         for _ in range(60):
             mid = (low + high) / 2
             low, high = (mid, high) if self.acceleration(mid, width, law) > 0 else (low, mid)
@@ -53,7 +53,12 @@ class Fluid:
 
 
 AIR = Fluid(1.0, 1.5e-5)
-LIQUID = Fluid(1000.0, math.sqrt(G * D**3 * (SPHERE / 1000 - 1) / (18 * RE * DRAG[LAW](RE))))
+
+
+def liquid(Re):
+    """In which the law's terminal speed has a Reynolds number."""
+    return Fluid(1000.0, math.sqrt(G * D**3 * (SPHERE / 1000 - 1) / (18 * Re * DRAG[LAW](Re))))
+
 
 START = math.sqrt(2 * G * D)  # that of a fall of one diameter [m/s]
 
@@ -141,23 +146,24 @@ class Layout:
         return np.array(faces)
 
 
-def falling_sphere(clone, cell, width, start=START_IN_CELL, name=None):
+def falling_sphere(clone, cell, width, start=START_IN_CELL, Re=10, name=None):
     """The sphere `start` cells beside a corner of cells in the middle of the box."""
     at = Layout(cell, width)
+    below = liquid(Re)
     case = sphere_box(clone, name=name or f"cell{cell}")
     mesh(case, at)
     place_sphere(case, at, start)
     replace(case, "0/U", "noSlip", "slip")
-    to_two_fluids(case, (LIQUID.rho, AIR.rho))
-    for old, fluid in (("1e-6", LIQUID), ("1.48e-5", AIR)):
+    to_two_fluids(case, (below.rho, AIR.rho))
+    for old, fluid in (("1e-6", below), ("1.48e-5", AIR)):
         replace(case, "constant/transportProperties", f"nu {old}", f"nu {fluid.nu!r}")
     fill(case, at)
 
     fastest = law_fall(at.above, width)
-    end = D * (2 * at.above / fastest + 1.3 * at.below / LIQUID.terminal(width))
+    end = D * (2 * at.above / fastest + 1.3 * at.below / below.terminal(width))
     control(case, deltaT=0.01 * cell * D / fastest, endTime=end, writeInterval=100000)
     # Euler's scheme in time adds a viscosity that is at most the liquid's
-    longest = 2 / RE * D / LIQUID.terminal(width)
+    longest = 2 / Re * D / below.terminal(width)
     replace(
         case,
         "system/controlDict",
@@ -218,7 +224,7 @@ def fill(case, at):
     )
 
 
-def speeds_over_law(case, cell, width):
+def speeds_over_law(case, cell, width, Re=10):
     """Before the sphere comes to the cell of the surface, and at the end of its fall."""
     at = Layout(cell, width)
     track = case.table("postProcessing/tracks/0/grains.csv")
@@ -228,4 +234,4 @@ def speeds_over_law(case, cell, width):
     end = -(at.surface - at.below)
     after = at.last * D / (np.interp(end, -z, t) - np.interp(end - at.last, -z, t))
     law = LAW if cell > 0.25 else "standard"
-    return before / law_fall(at.above - height, width), after / LIQUID.terminal(width, law)
+    return before / law_fall(at.above - height, width), after / liquid(Re).terminal(width, law)

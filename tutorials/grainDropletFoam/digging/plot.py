@@ -59,7 +59,8 @@ if __name__ == "__main__":
     Path("snapshots").mkdir(exist_ok=True)
     written = grainplot.times(".")[1:]
     hot = bed_temperature()
-    sheet = grainplot.droplets(".", written[:: max(1, (len(written) - 1) // 6)], (100, hot))
-    sheet.savefig("snapshots/droplet.png", dpi=110)
-    plt.close(sheet)
+    if written:
+        sheet = grainplot.droplets(".", written[:: max(1, (len(written) - 1) // 6)], (100, hot))
+        sheet.savefig("snapshots/droplet.png", dpi=110)
+        plt.close(sheet)
     curves(hot)

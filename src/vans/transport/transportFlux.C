@@ -9,6 +9,7 @@
 #include "fvm.H"
 #include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
+#include "globalMeshData.H"
 #include "timeScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -35,11 +36,11 @@ wordList patchTypes(const volScalarField& p)
 }
 
 
-dictionary solverControls(const scalar tolerance)
+dictionary solverControls(const bool keepsMatrix, const scalar tolerance)
 {
     dictionary result;
     result.add("solver", "PCG");
-    result.add("preconditioner", "DIC");
+    result.add("preconditioner", keepsMatrix ? "Cholesky" : "DIC");
     result.add("tolerance", tolerance);
     result.add("relTol", 0);
     return result;
@@ -145,6 +146,22 @@ Foam::tmp<Foam::surfaceScalarField> Foam::transportFlux::openPart() const
 }
 
 
+bool Foam::transportFlux::isOpen() const
+{
+    // Beyond, factors cost more than what they save
+    const label most = mesh_.nGeometricD() == 3 ? 10000 : 100000;
+
+    return returnReduce
+    (
+        !mesh_.moving()
+     && mesh_.globalData().nTotalCells() <= most
+     && min(fraction_.primitiveField()) > roomy
+     && min(oldVolume_/mesh_.V().field()) > roomy,
+        andOp<bool>()
+    );
+}
+
+
 Foam::scalarField Foam::transportFlux::lack
 (
     const surfaceScalarField& flux,
@@ -209,7 +226,12 @@ void Foam::transportFlux::set
     fraction_.oldTime();
     fraction_ == eps_ + least;
 
-    const surfaceScalarField open("open", openPart()*mesh_.magSf());
+    const bool keepsMatrix = isOpen();
+    const surfaceScalarField open
+    (
+        "open",
+        keepsMatrix ? 1*mesh_.magSf() : openPart()*mesh_.magSf()
+    );
     F_ = share;
     if (lastShare_)
     {
@@ -227,7 +249,9 @@ void Foam::transportFlux::set
     scalarField X(X_.primitiveField());
     // Where X is zero if no boundary gives it: in a cell that is open
     const label fixed =
-        Pstream::master() ? findMax(fraction_.primitiveField()) : -1;
+        !Pstream::master() ? -1
+      : keepsMatrix ? 0
+      : findMax(fraction_.primitiveField());
 
     defect_ = defectOf(missing);
     for (label i = 0; i < 6 && defect_ > tolerance; ++i)
@@ -247,6 +271,7 @@ void Foam::transportFlux::set
         (
             solverControls
             (
+                keepsMatrix,
                 min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
             )
         );

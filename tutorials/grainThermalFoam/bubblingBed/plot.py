@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bed as it bubbles and cools, its mean temperature and its mean motion (snapshots/).
 
-Usage: plot.py [-compare]      -compare: mean temperatures of all folders bed_<g>_<m/s>
+Usage: plot.py [-compare | -spheres]
+    -compare: mean temperatures of all folders bed_<g>_<m/s>, and of spheres
+    -spheres: the mean temperature alone
 """
 
 import re
@@ -25,9 +27,10 @@ GAS, WALLS = 28.03, 1 / 12.55 - 1 / 28.03
 def cooling_times(folder="."):
     """By the gas alone, and with the walls; of the mass and the speed of a folder."""
     packing, U = (Path(folder, file).read_text() for file in ("system/packGrainsDict", "0/U"))
-    height = float(re.search(r"box +\(0 0 0\) \(0.08 (\S+) 0\)", packing)[1])
+    height, depth = re.search(r"box +\(0 0 0\) \(0.08 (\S+) (\S+)\)", packing).groups()
     speed = float(re.search(r"value +uniform \(0 (\S+) 0\)", U)[1])
-    gas = GAS * height / 0.0375 * 1.54 / speed
+    of75g = 0.0375 if depth == "0" else 0.0417
+    gas = GAS * float(height) / of75g * 1.54 / speed
     return gas, 1 / (1 / gas + WALLS)
 
 
@@ -97,13 +100,14 @@ def compare():
     """All beds that are done in one figure, and what they have lost after some times."""
     figure, ax = plt.subplots(figsize=(7, 4.5), layout="constrained")
     print(f"{'bed':16} {'of 70 K after 1, 2, 5, 10 s':32} initial slope and those in 0-D [K/s]")
-    for folder in sorted(Path(".").glob("bed_*_*")):
+    for folder in [*sorted(Path(".").glob("bed_*_*")), Path("spheres")]:
         if not (folder / "done").exists():
             continue
         book = ledger(folder)
         time, T = book["time"], book["meanGrainT"] - 273.15
-        mass, speed = folder.name.split("_")[1:]
-        ax.plot(time, T, "--" if mass == "125" else "-", label=f"{mass} g, {speed} m/s")
+        _, mass, speed = (*folder.name.split("_"), "75", "1.54")[:3]
+        name = ", spheres" if folder.name == "spheres" else ""
+        ax.plot(time, T, "--" if mass == "125" else "-", label=f"{mass} g, {speed} m/s{name}")
         left = [np.interp(t, time, T) - COLD if t <= time[-1] else np.nan for t in (1, 2, 5, 10)]
         first = time <= 1
         slope = -np.polyfit(time[first], T[first], 1)[0]
@@ -122,9 +126,11 @@ def main():
         compare()
         return
     Path("snapshots").mkdir(exist_ok=True)
+    cooling()
+    if "-spheres" in sys.argv[1:]:
+        return
     times = [time for time in grainplot.times(".") if float(time) > 0]
     sheet(times[:: max(len(times) // 6, 1)][:6])
-    cooling()
     motion(times[len(times) // 2 :])
 
 

@@ -73,6 +73,10 @@ void Foam::keptFactors::solve
     const solveScalarField& b
 ) const
 {
+    if (b.empty())
+    {
+        return;
+    }
     using vector = Eigen::Matrix<solveScalar, Eigen::Dynamic, 1>;
     Eigen::Map<vector>(x.data(), x.size()) =
         factors_.solve(Eigen::Map<const vector>(b.cdata(), b.size()));

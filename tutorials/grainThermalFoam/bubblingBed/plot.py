@@ -69,29 +69,46 @@ def cooling():
     plt.close(figure)
 
 
-def means(times):
-    """Solid fraction and mean velocity of the grains on a coarse grid."""
+def means(time, folder="."):
+    """Solid fraction and flux of the grains [m/s] on a coarse grid, means of up to 5 s before."""
+    mesh = grainplot.read_mesh(folder)
+    n = len(mesh.polygons)
+    at = np.array([polygon.mean(axis=0) for polygon in mesh.polygons])
     edges = [np.linspace(0, WIDTH, CELLS[0] + 1), np.linspace(0, TOP, CELLS[1] + 1)]
-    area, momentum = np.zeros(CELLS), np.zeros((*CELLS, 2))
-    for time in times:
-        grains = grainplot.read_grains(".", time)
-        x, v = grains["position"], grains["velocity"]
-        a = np.pi * grains["radius"].ravel() ** 2
-        area += np.histogram2d(x[:, 0], x[:, 1], edges, weights=a)[0]
-        for k in range(2):
-            momentum[..., k] += np.histogram2d(x[:, 0], x[:, 1], edges, weights=a * v[:, k])[0]
-    cell = WIDTH * TOP / np.prod(CELLS)
-    return edges, area / cell / len(times), momentum / np.maximum(area, 1e-12)[..., None]
+    solid = grainplot.read_field(folder, time, "packingMean", n)
+    flux = grainplot.read_field(folder, time, "grainFluxMean", n)
+    number = np.histogram2d(*at.T, edges)[0]
+    fields = [
+        np.histogram2d(*at.T, edges, weights=field)[0] / number
+        for field in (solid, flux[:, 0], flux[:, 1])
+    ]
+    return edges, fields[0], np.stack(fields[1:], axis=-1)
+
+
+def before(times, end):
+    """The last one before an end, at which means begin anew every 5 s."""
+    return max((t for t in times if float(t) < end), key=float)
+
+
+def apart(one, other):
+    """Root mean square of what two fields differ by, over that of their mean."""
+    return 2 * np.linalg.norm(one - other) / np.linalg.norm(one + other)
 
 
 def motion(times):
-    (x, y), solid, velocity = means(times)
+    end = float(times[-1])
+    (x, y), solid, flux = means(before(times, end))
+    if end == 10:
+        _, first, flux_1 = means(before(times, 5))
+        parts = f"{apart(first, solid):.3f}, of the flux {apart(flux_1, flux):.3f}"
+        print(f"Means of the two halves differ, of the packing by {parts}")
+    velocity = flux / np.maximum(solid, 1e-3)[..., None]
     figure, ax = plt.subplots(figsize=(5, 6), layout="constrained")
     drawn = ax.pcolormesh(x, y, solid.T, cmap="viridis", vmin=0)
     middle = np.meshgrid(0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1]))
     ax.quiver(*middle, velocity[..., 0].T, velocity[..., 1].T, color="w", scale=4)
-    ax.set(title=f"mean of t = {times[0]} to {times[-1]} s", aspect="equal")
-    figure.colorbar(drawn, ax=ax, label="solid fraction of discs")
+    ax.set(title=f"mean of up to 5 s until {times[-1]} s", aspect="equal")
+    figure.colorbar(drawn, ax=ax, label="solid fraction that the fluid sees")
     figure.savefig("snapshots/motion.png", dpi=110)
     plt.close(figure)
 
@@ -131,7 +148,7 @@ def main():
         return
     times = [time for time in grainplot.times(".") if float(time) > 0]
     sheet(times[:: max(len(times) // 6, 1)][:6])
-    motion(times[len(times) // 2 :])
+    motion(times)
 
 
 main()

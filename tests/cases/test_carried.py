@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A dye in a fluid with grains that move: kept to round-off and within its bounds."""
 
+import re
+
 import numpy as np
 import pytest
 from grain_box import (
@@ -116,6 +118,12 @@ def test_closed_box(clone, size, D):
     assert book["active"].max() >= 1
     # Contacts let grains into the floor by their tolerance, 1e-7 of 0.1 m
     assert assert_kept(case) <= 1e-6 * SIDE**2 * DEPTH
+    # Where all cells have room the factors of the mesh's own matrix solve it
+    solved = set(re.findall(r"(\w+):  Solving for transportPotential,.* (\d+)\n", case.log))
+    if size == "unresolved":
+        assert solved == {("CholeskyPCG", "1")}
+    else:
+        assert "DICPCG" in dict(solved)
 
 
 @pytest.mark.parametrize("D", DIFFUSIVITIES)

@@ -36,11 +36,24 @@ wordList patchTypes(const volScalarField& p)
 }
 
 
-dictionary solverControls(const bool keepsMatrix, const scalar tolerance)
+bool hasCoupledPatches(const fvMesh& mesh)
+{
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (patch.coupled())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+dictionary solverControls(const bool keepsFactors, const scalar tolerance)
 {
     dictionary result;
     result.add("solver", "PCG");
-    result.add("preconditioner", keepsMatrix ? "Cholesky" : "DIC");
+    result.add("preconditioner", keepsFactors ? "Cholesky" : "DIC");
     result.add("tolerance", tolerance);
     result.add("relTol", 0);
     return result;
@@ -227,6 +240,10 @@ void Foam::transportFlux::set
     fraction_ == eps_ + least;
 
     const bool keepsMatrix = isOpen();
+    // Coupled to others the factors of a rank are a preconditioner whose iterations
+    // take longer than what they save
+    const bool keepsFactors =
+        keepsMatrix && returnReduce(!hasCoupledPatches(mesh_), andOp<bool>());
     const surfaceScalarField open
     (
         "open",
@@ -271,7 +288,7 @@ void Foam::transportFlux::set
         (
             solverControls
             (
-                keepsMatrix,
+                keepsFactors,
                 min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
             )
         );

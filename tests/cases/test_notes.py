@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from dry_box import dry_box
+from dry_box import dry_box, write_grains
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
 from sphere_box import sphere_box
@@ -51,9 +51,10 @@ def test_spheres_that_creep_and_cover_cells_are_reported(clone):
     """Of 2.5 cells: Stokes' regime in syrup, not in water; or resolved."""
     warning = "coupling/resolvedGrains { type locked; from 2; } resolves"
     case = sphere_box(clone)
-    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n0.05,0.05,0.05,0.0125\n")
+    write_grains(case, [(0.05, 0.05, 0.05)], 0.0125)
     case.run("checkGrains")
-    assert "law, over several cells: 1, Reynolds numbers of settling" in case.log
+    several = "law, over several cells: 1, Reynolds numbers of settling"
+    assert several in case.log
     assert warning not in case.log
 
     replace(case, "constant/transportProperties", "0] 1e-4;", "0] 1e-2;")
@@ -64,6 +65,19 @@ def test_spheres_that_creep_and_cover_cells_are_reported(clone):
     case.run("checkGrains")
     assert "resolved: 1, Reynolds numbers of settling" in case.log
     assert warning not in case.log
+
+    # 3.9 cells are not four, and no others than exact overlaps can be resolved
+    replace(case, GRAINS, "from 2", "from 4")
+    write_grains(case, [(0.05, 0.05, 0.05)], 0.0195)
+    case.run("checkGrains")
+    assert several in case.log
+    write_grains(case, [(0.05, 0.05, 0.05)], 0.021)
+    case.run("checkGrains")
+    assert several not in case.log
+    replace(case, GRAINS, "    resolvedGrains { type locked; from 4; }\n", "")
+    replace(case, GRAINS, "exactOverlap", "centroid")
+    case.run("checkGrains")
+    assert several in case.log
 
 
 def test_courant_numbers_above_1_are_reported_once(clone):

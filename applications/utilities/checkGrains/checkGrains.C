@@ -94,11 +94,19 @@ void printTimeStepInFluid
       ? functionOfTemperature(transport, "mu", dimDynamicViscosity).at(T)
       : rho*dictionaryInput::getPositive(transport, "nu", dimViscosity);
 
-    printFlowRegimes(properties, grains, *drag, rho, mu);
-    printTimeStep(properties, grains, *drag, rho, mu);
+    const List<settling> alone
+    (
+        settlingAlone(properties, grains, *drag, rho, mu)
+    );
+    printFlowRegimes
+    (
+        properties.coupling(), alone,
+        properties.space().cellSizeRange().first(), D == 3
+    );
+    printTimeStep(properties, grains, alone);
     if (properties.dict().found("heat"))
     {
-        printBiotNumbers(properties, grains, *drag, transport, mu);
+        printBiotNumbers(properties, grains, alone, transport, mu);
     }
 }
 

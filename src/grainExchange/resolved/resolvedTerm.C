@@ -5,10 +5,23 @@
 
 #include "resolvedTerm.H"
 
-#include "couplingOption.H"
 #include "cutGrains.H"
 #include "lockedGrains.H"
 #include "noResolvedTerm.H"
+
+Foam::chosenOption Foam::resolvedTerm::chosen
+(
+    const dictionary& coupling,
+    const bool isPossible
+)
+{
+    return couplingOption
+    (
+        coupling, "resolvedGrains", wordList({"locked", "cutCells"}),
+        {"from", 4, 2, 100}, isPossible
+    );
+}
+
 
 Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
 (
@@ -16,23 +29,18 @@ Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
     const carrier& fluid
 )
 {
-    const chosenOption chosen
+    const chosenOption option
     (
-        couplingOption
-        (
-            grains.motion().coupling(), "resolvedGrains",
-            wordList({"locked", "cutCells"}), {"from", 4, 2, 100},
-            grains.voidFraction().resolves()
-        )
+        chosen(grains.motion().coupling(), grains.voidFraction().resolves())
     );
-    if (!chosen.number)
+    if (!option.number)
     {
         return autoPtr<resolvedTerm>(new noResolvedTerm(grains.mesh()));
     }
     return
-        chosen.type == "cutCells"
-      ? autoPtr<resolvedTerm>(new cutGrains(grains, fluid, *chosen.number))
-      : autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *chosen.number));
+        option.type == "cutCells"
+      ? autoPtr<resolvedTerm>(new cutGrains(grains, fluid, *option.number))
+      : autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *option.number));
 }
 
 

@@ -9,7 +9,6 @@
 #include "heatDimensions.H"
 #include "functionOfTemperature.H"
 #include "heatLaw.H"
-#include "recommendedTimeStep.H"
 
 #include <numeric>
 
@@ -26,7 +25,7 @@ void Foam::printBiotNumbers
 (
     const grainProperties<D>& properties,
     const nscd::Grains<D>& grains,
-    const dragLaw& drag,
+    const UList<settling>& alone,
     const dictionary& transport,
     const scalar mu
 )
@@ -38,7 +37,6 @@ void Foam::printBiotNumbers
             dictionaryInput::subDict(properties.coupling(), "heatTransfer"), D
         )
     );
-    const scalar rho = dictionaryInput::getPositive(transport, "rho", dimDensity);
     const scalar Cp =
         dictionaryInput::getPositive(transport, "Cp", dimHeatCapacity);
     const scalar k =
@@ -57,13 +55,8 @@ void Foam::printBiotNumbers
             materials.subDict(properties.materials().names()[materiali]),
             "conductivity", dimConductivity, GREAT
         );
-        const scalar d = properties.lawDiameter(grains.radius[i]);
-        const scalar speed = settlingSpeed
-        (
-            drag, d, properties.materials().density(materiali), rho, mu,
-            mag(properties.g())
-        );
-        const scalar Nu = law->Nu(1, rho*speed*d/mu, mu*Cp/k);
+        const scalar d = alone[i].lawDiameter;
+        const scalar Nu = law->Nu(1, alone[i].Re, mu*Cp/k);
         const scalar surface = law->perVolume(1, 1, d)*sqr(d);
         largest = max(largest, Nu*k/(kp*surface));
     }
@@ -84,10 +77,10 @@ template Foam::scalar Foam::meanTemperature(const nscd::Grains<3>&);
 template void Foam::printBiotNumbers
 (
     const grainProperties<2>&, const nscd::Grains<2>&,
-    const dragLaw&, const dictionary&, const scalar
+    const UList<settling>&, const dictionary&, const scalar
 );
 template void Foam::printBiotNumbers
 (
     const grainProperties<3>&, const nscd::Grains<3>&,
-    const dragLaw&, const dictionary&, const scalar
+    const UList<settling>&, const dictionary&, const scalar
 );

@@ -5,8 +5,8 @@
 
 #include "flowRegimes.H"
 
-#include "couplingOption.H"
-#include "recommendedTimeStep.H"
+#include "dictionaryInput.H"
+#include "resolvedTerm.H"
 
 #include <array>
 
@@ -38,22 +38,22 @@ struct flowRegime
 } // End namespace Foam
 
 
-template<int D>
 void Foam::printFlowRegimes
 (
-    const grainProperties<D>& properties,
-    const nscd::Grains<D>& grains,
-    const dragLaw& drag,
-    const scalar rho,
-    const scalar mu
+    const dictionary& coupling,
+    const UList<settling>& alone,
+    const scalar cell,
+    const bool areSpheres
 )
 {
-    const scalar from =
-        couplingOption
-        (
-            properties.coupling(), "resolvedGrains",
-            wordList({"locked", "cutCells"}), {"from", 4, 2, 100}, true
-        ).number.value_or(GREAT);
+    const word method
+    (
+        dictionaryInput::subDict(coupling, "voidFraction").get<word>("type")
+    );
+    const scalar from = resolvedTerm::chosen
+    (
+        coupling, method == "exactOverlap"
+    ).number.value_or(GREAT);
 
     std::array<flowRegime, 3> regimes
     {{
@@ -61,22 +61,14 @@ void Foam::printFlowRegimes
         {"law, over several cells", (1 - 1e-6)*from},
         {"resolved", VGREAT}
     }};
-    const scalar cell = properties.space().cellSizeRange().first();
-
-    for (std::size_t i = 0; i < grains.size(); ++i)
+    for (const settling& grain : alone)
     {
-        const scalar d = properties.lawDiameter(grains.radius[i]);
-        const scalar speed = settlingSpeed
-        (
-            drag, d, properties.materials().density(grains.material[i]), rho,
-            mu, mag(properties.g())
-        );
         label k = 0;
-        while (d >= regimes[k].most*cell)
+        while (grain.diameter >= regimes[k].most*cell)
         {
             ++k;
         }
-        regimes[k].add(rho*speed*d/mu);
+        regimes[k].add(grain.Re);
     }
 
     for (const flowRegime& regime : regimes)
@@ -89,7 +81,7 @@ void Foam::printFlowRegimes
         }
     }
     const flowRegime& covering = regimes[1];
-    if (D == 3 && covering.number && covering.Re.first() < creeping)
+    if (areSpheres && covering.number && covering.Re.first() < creeping)
     {
         WarningInFunction
             << "Where it is alone, a sphere of one and a half cells and more"
@@ -99,15 +91,3 @@ void Foam::printFlowRegimes
             << " the flow about it; dense beds keep their laws" << endl;
     }
 }
-
-
-template void Foam::printFlowRegimes
-(
-    const grainProperties<2>&, const nscd::Grains<2>&,
-    const dragLaw&, const scalar, const scalar
-);
-template void Foam::printFlowRegimes
-(
-    const grainProperties<3>&, const nscd::Grains<3>&,
-    const dragLaw&, const scalar, const scalar
-);

@@ -5,41 +5,6 @@
 
 #include "recommendedTimeStep.H"
 
-Foam::scalar Foam::settlingSpeed
-(
-    const dragLaw& drag,
-    const scalar d,
-    const scalar rhop,
-    const scalar rho,
-    const scalar mu,
-    const scalar g
-)
-{
-    const scalar weight = mag(rhop - rho)*g;
-
-    // gamma(w) w grows with w: bisect between rest and free fall in nothing
-    scalar low = 0;
-    scalar high = 1;
-    while (drag.gamma(1, high, d, rho, mu)*high < weight)
-    {
-        high *= 2;
-    }
-    for (label i = 0; i < 60; ++i)
-    {
-        const scalar middle = 0.5*(low + high);
-        if (drag.gamma(1, middle, d, rho, mu)*middle < weight)
-        {
-            low = middle;
-        }
-        else
-        {
-            high = middle;
-        }
-    }
-    return high;
-}
-
-
 namespace
 {
 
@@ -95,27 +60,13 @@ void Foam::printTimeStep
 (
     const grainProperties<D>& properties,
     const nscd::Grains<D>& grains,
-    const dragLaw& drag,
-    const scalar rho,
-    const scalar mu
+    const UList<settling>& alone
 )
 {
-    const scalar g = mag(properties.g());
-
     scalar speed = speedAndDiameter(grains).first();
-    for (std::size_t i = 0; i < grains.size(); ++i)
+    for (const settling& grain : alone)
     {
-        speed = max
-        (
-            speed,
-            settlingSpeed
-            (
-                drag,
-                properties.lawDiameter(grains.radius[i]),
-                properties.materials().density(grains.material[i]),
-                rho, mu, g
-            )
-        );
+        speed = max(speed, grain.speed);
     }
 
     if (speed < SMALL)
@@ -126,8 +77,8 @@ void Foam::printTimeStep
     }
     printLimits
     (
-        speed, "settling alone", speedAndDiameter(grains).second(), g,
-        0.5*properties.space().cellSizeRange().first()/speed
+        speed, "settling alone", speedAndDiameter(grains).second(),
+        mag(properties.g()), 0.5*properties.space().cellSizeRange().first()/speed
     );
 }
 
@@ -165,13 +116,11 @@ void Foam::printTimeStep
 
 template void Foam::printTimeStep
 (
-    const grainProperties<2>&, const nscd::Grains<2>&,
-    const dragLaw&, const scalar, const scalar
+    const grainProperties<2>&, const nscd::Grains<2>&, const UList<settling>&
 );
 template void Foam::printTimeStep
 (
-    const grainProperties<3>&, const nscd::Grains<3>&,
-    const dragLaw&, const scalar, const scalar
+    const grainProperties<3>&, const nscd::Grains<3>&, const UList<settling>&
 );
 template void Foam::printTimeStep
 (

@@ -5,7 +5,6 @@
 
 #include "grainProperties.H"
 
-#include "coarseGraining.H"
 #include "dictionaryInput.H"
 #include "Enum.H"
 #include "meshPeriod.H"
@@ -141,14 +140,6 @@ Foam::scalar Foam::grainProperties<D>::readPackingRatio() const
             coupling(), "packingRatio", dimless, 1, 0.1, 1
         )
       : 1;
-}
-
-
-template<int D>
-Foam::scalar Foam::grainProperties<D>::lawDiameter(const scalar radius) const
-{
-    return
-        2*radius*space_.lengthRatio(packingRatio_)/coarseGraining(coupling());
 }
 
 

@@ -9,7 +9,6 @@
 #include "fvm.H"
 #include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
-#include "globalMeshData.H"
 #include "timeScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -36,16 +35,15 @@ wordList patchTypes(const volScalarField& p)
 }
 
 
-bool hasCoupledPatches(const fvMesh& mesh)
+//- Has a rank cyclic patches or neighbours?
+bool isCoupled(const fvMesh& mesh)
 {
+    bool result = false;
     for (const fvPatch& patch : mesh.boundary())
     {
-        if (patch.coupled())
-        {
-            return true;
-        }
+        result = result || patch.coupled();
     }
-    return false;
+    return returnReduce(result, orOp<bool>());
 }
 
 
@@ -105,6 +103,7 @@ Foam::transportFlux::transportFlux
         mesh_,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
+    isCoupled_(isCoupled(mesh_)),
     isShareLost_(false),
     defect_(0),
     correction_(0),
@@ -159,16 +158,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::transportFlux::openPart() const
 }
 
 
-bool Foam::transportFlux::isOpen() const
+bool Foam::transportFlux::hasRoom() const
 {
     // Beyond, factors cost more than what they save
     const label most = mesh_.nGeometricD() == 3 ? 10000 : 100000;
-
+    if (mesh_.moving() || returnReduce(mesh_.nCells(), sumOp<label>()) > most)
+    {
+        return false;
+    }
     return returnReduce
     (
-        !mesh_.moving()
-     && mesh_.globalData().nTotalCells() <= most
-     && min(fraction_.primitiveField()) > roomy
+        min(fraction_.primitiveField()) > roomy
      && min(oldVolume_/mesh_.V().field()) > roomy,
         andOp<bool>()
     );
@@ -239,15 +239,13 @@ void Foam::transportFlux::set
     fraction_.oldTime();
     fraction_ == eps_ + least;
 
-    const bool keepsMatrix = isOpen();
-    // Coupled to others the factors of a rank are a preconditioner whose iterations
-    // take longer than what they save
-    const bool keepsFactors =
-        keepsMatrix && returnReduce(!hasCoupledPatches(mesh_), andOp<bool>());
+    const bool keepsMatrix = hasRoom();
     const surfaceScalarField open
     (
         "open",
-        keepsMatrix ? 1*mesh_.magSf() : openPart()*mesh_.magSf()
+        keepsMatrix
+      ? tmp<surfaceScalarField>(mesh_.magSf())
+      : openPart()*mesh_.magSf()
     );
     F_ = share;
     if (lastShare_)
@@ -288,7 +286,7 @@ void Foam::transportFlux::set
         (
             solverControls
             (
-                keepsFactors,
+                keepsMatrix && !isCoupled_,
                 min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
             )
         );

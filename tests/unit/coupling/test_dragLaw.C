@@ -6,7 +6,7 @@
 #include "foamTest.H"
 
 #include "DallavalleDiFelice.H"
-#include "recommendedTimeStep.H"
+#include "settling.H"
 
 using namespace Foam;
 

@@ -129,21 +129,36 @@ void Foam::cutGrains::requireResolved() const
 
 void Foam::cutGrains::requireShortSteps() const
 {
-    // 5 was unstable, 0.6 was not
-    constexpr scalar most = 1;
+    // 20 was unstable, 5 was not with three corrections; with grains that do not
+    // move 20 with two, 50 not with four
+    constexpr scalar mostMoving = 1, mostFixed = 5;
+    constexpr label enough = 4;
 
+    const bool isFixed = grains_.motion().isFixed();
+    const dictionary& piso = mesh_.solutionDict().subOrEmptyDict("PISO");
+    if
+    (
+        !grains_.size()
+     || (isFixed && piso.getOrDefault<label>("nCorrectors", 1) >= enough)
+    )
+    {
+        return;
+    }
+    const scalar most = isFixed ? mostFixed : mostMoving;
     const scalarField nu
     (
         fluid_.mu().primitiveField()/fluid_.rho().primitiveField()
     );
     const scalar largest =
         mesh_.time().deltaTValue()*gMax(nu/sqr(cellSizes(mesh_)()));
-    if (!grains_.motion().isFixed() && grains_.size() && largest > most)
+    if (largest > most)
     {
         refuse
         (
-            "grains that move and nu deltaT/h^2 = " + Foam::name(largest)
-          + " > 1: a smaller deltaT in system/controlDict"
+            word(isFixed ? "fixed grains" : "grains that move")
+          + " and nu deltaT/h^2 = " + Foam::name(largest) + " > "
+          + Foam::name(most) + ": a smaller deltaT in system/controlDict"
+          + (isFixed ? " or nCorrectors 4 in system/fvSolution" : "")
         );
     }
 }

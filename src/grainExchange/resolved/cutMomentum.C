@@ -17,7 +17,7 @@ void Foam::cutGrains::addToMomentum
 (
     fvVectorMatrix& UEqn,
     const surfaceScalarField& massFlux,
-    const surfaceScalarField&
+    const surfaceScalarField& mu
 ) const
 {
     if (!isActive())
@@ -73,6 +73,8 @@ void Foam::cutGrains::addToMomentum
         ).fvmDiv(flux, U)
       - fvm::Sp(fvc::div(flux), U)
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
+
+    UEqn -= fvc::surfaceIntegrate(besideTheLine(U, mu));
 
     outflow_ =
         fvc::surfaceIntegrate(massFlux - all + flux)().primitiveField()

@@ -21,8 +21,8 @@ top = depth + height + AIR
 files = {
     "column": {"platform": width, "level": depth, "column": depth + height, "top": top},
     "grains": {
-        "disc": {"shape": "disc", "packing": 0.8, "packingRatio": 0.8, "friction": 0.9},
-        "sphere": {"shape": "sphere", "packing": 0.6, "packingRatio": 1, "friction": 0.5},
+        "disc": {"shape": "disc", "packing": 0.8, "packingRatio": 0.8},
+        "sphere": {"shape": "sphere", "packing": 0.6, "packingRatio": 1},
     }[shape],
     "cells": {
         "sides": {"disc": "empty", "sphere": "cyclic"}[shape],

@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutGrains.H"
+
+#include "fvc.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace
+{
+
+//- Least squares for the gradient of a velocity at a point: sum of x x and x u
+//  over points at a distance x, each divided by |x|^2
+struct slopes
+{
+    Foam::symmTensor ways = Foam::symmTensor::zero;
+    Foam::tensor rises = Foam::tensor::zero;
+
+    void add(const Foam::vector& way, const Foam::vector& rise)
+    {
+        const Foam::scalar weight = 1/Foam::max(magSqr(way), Foam::VSMALL);
+        ways += weight*sqr(way);
+        rises += weight*(way*rise);
+    }
+
+    //- None across directions in which there are hardly any points
+    Foam::tensor gradient(const Foam::vector& acrossMesh) const
+    {
+        using namespace Foam;
+        constexpr scalar least = 1e-3;
+
+        // In the plane: what the normal of the mesh adds only inverts
+        const symmTensor all(ways + sqr(acrossMesh));
+        const scalar area = det(all);
+        return
+            area > least*sqr(0.5*tr(ways))
+          ? tensor(inv(all) & rises)
+          : tensor((ways & rises)/max(sqr(tr(ways)), VSMALL));
+    }
+};
+
+}
+
+
+Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
+(
+    const volVectorField& U
+) const
+{
+    List<slopes> of(mesh_.nCells());
+    const surfaceScalarField& open = cells_.open();
+    const surfaceVectorField d(mesh_.delta());
+    const volVectorField& shift = cells_.shift();
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    forAll(own, i)
+    {
+        if (open[i] > 0)
+        {
+            const label P = own[i], N = nei[i];
+            const vector way(d[i] + shift[N] - shift[P]);
+            of[P].add(way, U[N] - U[P]);
+            of[N].add(-way, U[P] - U[N]);
+        }
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const labelUList& cells = patch.faceCells();
+        const fvPatchVectorField& boundary = U.boundaryField()[patchi];
+        const vectorField way(patch.delta());
+        if (patch.coupled())
+        {
+            const vectorField beyond(boundary.patchNeighbourField());
+            const vectorField other
+            (
+                shift.boundaryField()[patchi].patchNeighbourField()
+            );
+            forAll(cells, i)
+            {
+                if (open.boundaryField()[patchi][i] > 0)
+                {
+                    const label c = cells[i];
+                    of[c].add(way[i] + other[i] - shift[c], beyond[i] - U[c]);
+                }
+            }
+        }
+        else if (patch.size())
+        {
+            forAll(cells, i)
+            {
+                of[cells[i]].add
+                (
+                    way[i] - shift[cells[i]], boundary[i] - U[cells[i]]
+                );
+            }
+        }
+    }
+    const List<cutCells::wall>& walls = cells_.walls();
+    for (const cutCells::wall& w : walls)
+    {
+        if (cells_.fluid()[w.cell] > 0)
+        {
+            const vector n(w.arm/mag(w.arm));
+            of[w.cell].add(-w.distance*n, velocityAt(w) - U[w.cell]);
+        }
+    }
+
+    tmp<volTensorField> tgradient
+    (
+        new volTensorField
+        (
+            IOobject("cutGradient", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedTensor(U.dimensions()/dimLength, Zero),
+            zeroGradientFvPatchTensorField::typeName
+        )
+    );
+    const vector across(vector::one - cells_.inMesh(vector::one));
+    forAll(of, celli)
+    {
+        if (cells_.fluid()[celli] > 0)
+        {
+            tgradient.ref()[celli] = of[celli].gradient(across);
+        }
+    }
+    tgradient.ref().correctBoundaryConditions();
+    return tgradient;
+}
+
+
+Foam::tmp<Foam::surfaceVectorField> Foam::cutGrains::besideTheLine
+(
+    const volVectorField& U,
+    const surfaceScalarField& mu
+) const
+{
+    const volVectorField& shift = cells_.shift();
+    const volScalarField& fluid = cells_.fluid();
+    const tmp<volTensorField> tgradient(gradient(U));
+    surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
+    n.setOriented(false);
+    const surfaceTensorField atFaces
+    (
+        fvc::interpolate(fluid*tgradient())/fluidOfFaces()
+    );
+    surfaceVectorField way(mesh_.delta()());
+    forAll(mesh_.owner(), i)
+    {
+        way[i] += shift[mesh_.neighbour()[i]] - shift[mesh_.owner()[i]];
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled())
+        {
+            const fvPatchVectorField& x = shift.boundaryField()[patchi];
+            way.boundaryFieldRef()[patchi] +=
+                x.patchNeighbourField() - x.patchInternalField();
+        }
+        else
+        {
+            // As the two-point gradient there has it
+            way.boundaryFieldRef()[patchi] = n.boundaryField()[patchi];
+        }
+    }
+    const surfaceScalarField perLength
+    (
+        cells_.conductance()*mesh_.nonOrthDeltaCoeffs()
+    );
+    return
+        cells_.cutFaces()*mu*mesh_.magSf()
+       *(cells_.open()*(n & atFaces) - perLength*(way & atFaces));
+}

@@ -7,6 +7,7 @@
 
 #include "fvcSurfaceIntegrate.H"
 #include "overlap/disc/DiscEdge.hpp"
+#include "overlap/disc/DiscPolygon.hpp"
 #include "resolvedGrains.H"
 #include "surfaceInterpolate.H"
 
@@ -37,8 +38,22 @@ Foam::scalar Foam::cutCells::closedShare
     const grainMember& body
 ) const
 {
+    const vector toMiddle(between(body.centre, mesh_.faceCentres()[facei]));
+    return
+        mesh_.nGeometricD() == 3
+      ? shareInSphere(facei, toMiddle, body.radius)
+      : shareInDisc(facei, toMiddle, body.radius);
+}
+
+
+Foam::scalar Foam::cutCells::shareInDisc
+(
+    const label facei,
+    const vector& toMiddle,
+    const scalar radius
+) const
+{
     const point& middle = mesh_.faceCentres()[facei];
-    const vector toMiddle(between(body.centre, middle));
 
     // Of a mesh one cell thick, the edge in its plane
     vector first(Zero), last(Zero);
@@ -69,8 +84,46 @@ Foam::scalar Foam::cutCells::closedShare
             ++k;
         }
     }
-    return
-        overlap::lengthInDisc({0, 0}, body.radius, a, b)/(b - a).norm();
+    return overlap::lengthInDisc({0, 0}, radius, a, b)/(b - a).norm();
+}
+
+
+Foam::scalar Foam::cutCells::shareInSphere
+(
+    const label facei,
+    const vector& toMiddle,
+    const scalar radius
+) const
+{
+    const vector& S = mesh_.faceAreas()[facei];
+    const vector n(S/mag(S));
+    const scalar height = toMiddle & n;
+    const scalar squaredRadius = sqr(radius) - sqr(height);
+    if (squaredRadius <= 0)
+    {
+        return 0;
+    }
+
+    // The circle that the face's plane cuts out of the sphere, seen along the normal
+    const point& middle = mesh_.faceCentres()[facei];
+    const face& corners = mesh_.faces()[facei];
+    const vector along(mesh_.points()[corners[0]] - middle);
+    const vector e1(normalised(along - (along & n)*n));
+    const vector e2(n ^ e1);
+    DynamicList<overlap::Point2> polygon(corners.size());
+    for (const label pointi : corners)
+    {
+        const vector x(mesh_.points()[pointi] - middle);
+        polygon.append(overlap::Point2(x & e1, x & e2));
+    }
+    const scalar area = overlap::discPolygon
+    (
+        overlap::Point2(-(toMiddle & e1), -(toMiddle & e2)),
+        Foam::sqrt(squaredRadius),
+        polygon.cdata(),
+        polygon.size()
+    ).area;
+    return min(area/mag(S), scalar(1));
 }
 
 

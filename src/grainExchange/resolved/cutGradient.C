@@ -25,19 +25,17 @@ struct slopes
         rises += weight*(way*rise);
     }
 
-    //- None across directions in which there are hardly any points
+    //- None in directions in which there are no points
     Foam::tensor gradient(const Foam::vector& acrossMesh) const
     {
         using namespace Foam;
-        constexpr scalar least = 1e-3;
+        constexpr scalar least = 1e-4;
 
-        // In the plane: what the normal of the mesh adds only inverts
-        const symmTensor all(ways + sqr(acrossMesh));
-        const scalar area = det(all);
-        return
-            area > least*sqr(0.5*tr(ways))
-          ? tensor(inv(all) & rises)
-          : tensor((ways & rises)/max(sqr(tr(ways)), VSMALL));
+        const symmTensor all
+        (
+            ways + least*tr(ways)*symmTensor(I) + sqr(acrossMesh)
+        );
+        return inv(all) & rises;
     }
 };
 

@@ -8,6 +8,7 @@
 #include "cellSizes.H"
 #include "dictionaryInput.H"
 #include "motionInStep.H"
+#include "PstreamReduceOps.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::cutGrains::cutGrains
@@ -59,17 +60,13 @@ Foam::cutGrains::cutGrains
         zeroGradientFvPatchScalarField::typeName
     )
 {
-    if (mesh_.nGeometricD() != 2)
-    {
-        refuse("spheres");
-    }
     if (mesh_.dynamic())
     {
         refuse("a mesh that moves");
     }
-    if (Pstream::parRun())
+    if (mesh_.nGeometricD() == 3 && !facesArePlane())
     {
-        refuse("runs in parallel");
+        refuse("faces that are not plane");
     }
     if (grains.motion().coupling().getOrDefault<word>("form", "A") != "A")
     {
@@ -81,6 +78,25 @@ Foam::cutGrains::cutGrains
     }
     requireResolved();
     requireShortSteps();
+}
+
+
+bool Foam::cutGrains::facesArePlane() const
+{
+    // What is open of the faces of a cell would not enclose what is fluid of it
+    constexpr scalar least = 1e-6;
+
+    bool arePlane = true;
+    forAll(mesh_.faces(), facei)
+    {
+        const vector& S = mesh_.faceAreas()[facei];
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            const vector x(mesh_.points()[pointi] - mesh_.faceCentres()[facei]);
+            arePlane = arePlane && mag(x & S) <= least*mag(S)*mag(x);
+        }
+    }
+    return returnReduce(arePlane, andOp<bool>());
 }
 
 

@@ -108,8 +108,8 @@ def test_creeping_flow_is_of_second_order(clone):
         control(case, timePrecision=12)
         case.run("grainFoam")
         error.append(-tracks(case)[-1, 6] / exact - 1)
-    # 0.9 % with 12 cells; the formula, the end and locked cells leave 0.1 %
-    assert 0 < error[1] <= 0.015
+    # 0.6 % with 12 cells; the formula, the end and locked cells leave 0.1 %
+    assert 0 < error[1] <= 0.01
     assert np.log2(error[0] / error[1]) >= 1.8
 
 

@@ -31,6 +31,10 @@ struct slopes
         using namespace Foam;
         constexpr scalar least = 1e-4;
 
+        if (tr(ways) == 0)
+        {
+            return tensor::zero;
+        }
         const symmTensor all
         (
             ways + least*tr(ways)*symmTensor(I) + sqr(acrossMesh)
@@ -44,9 +48,12 @@ struct slopes
 
 Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
 (
-    const volVectorField& U
+    const volVectorField& U,
+    const bool inWholeCells
 ) const
 {
+    const scalarField& fluid = cells_.fluid();
+    const scalar enough = inWholeCells ? 1 : 0;
     List<slopes> of(mesh_.nCells());
     const surfaceScalarField& open = cells_.open();
     const surfaceVectorField d(mesh_.delta());
@@ -55,9 +62,9 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
     const labelUList& nei = mesh_.neighbour();
     forAll(own, i)
     {
-        if (open[i] > 0)
+        const label P = own[i], N = nei[i];
+        if (open[i] > 0 && min(fluid[P], fluid[N]) >= enough)
         {
-            const label P = own[i], N = nei[i];
             const vector way(d[i] + shift[N] - shift[P]);
             of[P].add(way, U[N] - U[P]);
             of[N].add(-way, U[P] - U[N]);
@@ -72,20 +79,28 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
         if (patch.coupled())
         {
             const vectorField beyond(boundary.patchNeighbourField());
+            const scalarField fluidBeyond
+            (
+                cells_.fluid().boundaryField()[patchi].patchNeighbourField()
+            );
             const vectorField other
             (
                 shift.boundaryField()[patchi].patchNeighbourField()
             );
             forAll(cells, i)
             {
-                if (open.boundaryField()[patchi][i] > 0)
+                const label c = cells[i];
+                if
+                (
+                    open.boundaryField()[patchi][i] > 0
+                 && min(fluid[c], fluidBeyond[i]) >= enough
+                )
                 {
-                    const label c = cells[i];
                     of[c].add(way[i] + other[i] - shift[c], beyond[i] - U[c]);
                 }
             }
         }
-        else if (patch.size())
+        else if (patch.size() && !inWholeCells)
         {
             forAll(cells, i)
             {
@@ -97,12 +112,13 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
         }
     }
     const List<cutCells::wall>& walls = cells_.walls();
-    for (const cutCells::wall& w : walls)
+    forAll(walls, i)
     {
-        if (cells_.fluid()[w.cell] > 0)
+        const cutCells::wall& w = walls[i];
+        if (fluid[w.cell] > 0 && !inWholeCells)
         {
             const vector n(w.arm/mag(w.arm));
-            of[w.cell].add(-w.distance*n, velocityAt(w) - U[w.cell]);
+            of[w.cell].add(-w.distance*n, velocityAt(i) - U[w.cell]);
         }
     }
 
@@ -119,13 +135,85 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
     const vector across(vector::one - cells_.inMesh(vector::one));
     forAll(of, celli)
     {
-        if (cells_.fluid()[celli] > 0)
+        if (fluid[celli] > 0 && fluid[celli] >= enough)
         {
             tgradient.ref()[celli] = of[celli].gradient(across);
         }
     }
     tgradient.ref().correctBoundaryConditions();
     return tgradient;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cutGrains::normals() const
+{
+    tmp<volVectorField> tnormals
+    (
+        new volVectorField
+        (
+            IOobject("cutNormals", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedVector(dimless, Zero),
+            zeroGradientFvPatchVectorField::typeName
+        )
+    );
+    volVectorField& normals = tnormals.ref();
+    for (const cutCells::wall& w : cells_.walls())
+    {
+        if (cells_.fluid()[w.cell] > 0)
+        {
+            normals[w.cell] += w.share*w.arm/mag(w.arm);
+        }
+    }
+
+    // Of the cells beside them, and of those beside these
+    for (label layer = 0; layer < 2; ++layer)
+    {
+        normals.correctBoundaryConditions();
+        const volVectorField beside
+        (
+            fvc::surfaceSum(fvc::interpolate(normals))
+        );
+        forAll(normals, celli)
+        {
+            if (normals[celli] == vector(Zero) && cells_.fluid()[celli] == 1)
+            {
+                normals[celli] = normalised(beside[celli]);
+            }
+        }
+    }
+    normals.correctBoundaryConditions();
+    return tnormals;
+}
+
+
+void Foam::cutGrains::setSlip(const volVectorField& U) const
+{
+    slip_ = Zero;
+    const volVectorField n(normals());
+    volVectorField slope(n & gradient(U, false));
+    slope.correctBoundaryConditions();
+    const volVectorField curvature(n & gradient(slope, true));
+    const volScalarField isWhole(pos(cells_.fluid() - 1 + SMALL)*mag(n));
+    const surfaceScalarField wholes(fvc::interpolate(isWhole));
+    const volScalarField number(fvc::surfaceSum(cells_.open()*wholes));
+    const volVectorField all
+    (
+        fvc::surfaceSum(cells_.open()*fvc::interpolate(isWhole*curvature))
+    );
+    const List<cutCells::wall>& walls = cells_.walls();
+    forAll(walls, i)
+    {
+        const label c = walls[i].cell;
+        if (link_[i] > 0 && number[c] > SMALL)
+        {
+            const vector m(walls[i].arm/mag(walls[i].arm));
+            const scalar fourth =
+                pow4(m.x()) + pow4(m.y()) + pow4(m.z());
+            slip_[i] =
+                (1 + 2*fourth)/24*sqr(cells_.cellSize(c))*all[c]/number[c];
+        }
+    }
 }
 
 
@@ -137,7 +225,7 @@ Foam::tmp<Foam::surfaceVectorField> Foam::cutGrains::besideTheLine
 {
     const volVectorField& shift = cells_.shift();
     const volScalarField& fluid = cells_.fluid();
-    const tmp<volTensorField> tgradient(gradient(U));
+    const tmp<volTensorField> tgradient(gradient(U, false));
     surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
     n.setOriented(false);
     const surfaceTensorField atFaces

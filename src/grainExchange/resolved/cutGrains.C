@@ -214,6 +214,8 @@ void Foam::cutGrains::update()
     const List<cutCells::wall>& walls = cells_.walls();
     const scalarField& open = cells_.fluid();
     link_.resize(walls.size());
+    slip_.resize(walls.size());
+    slip_ = Zero;
     hold_.resize(mesh_.nCells());
     hold_ = Zero;
     cover_.resize(mesh_.nCells());

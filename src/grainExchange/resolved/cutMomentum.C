@@ -74,6 +74,7 @@ void Foam::cutGrains::addToMomentum
       - fvm::Sp(fvc::div(flux), U)
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
 
+    setSlip(U);
     UEqn -= fvc::surfaceIntegrate(besideTheLine(U, mu));
 
     outflow_ =
@@ -86,7 +87,7 @@ void Foam::cutGrains::addToMomentum
     forAll(walls, i)
     {
         diagonal[walls[i].cell] += link_[i];
-        source[walls[i].cell] += link_[i]*velocityAt(walls[i]);
+        source[walls[i].cell] += link_[i]*velocityAt(i);
     }
     forAll(hold_, celli)
     {
@@ -179,7 +180,8 @@ void Foam::cutGrains::correctSource(fvVectorMatrix& UEqn)
     {
         const cutCells::wall& x = walls[i];
         source[x.cell] +=
-            link_[i]*(velocityAt(x) - inSource_[x.grain].at(x.arm));
+            link_[i]
+           *(motion_[x.grain].at(x.arm) - inSource_[x.grain].at(x.arm));
     }
     inSource_ = motion_;
 }

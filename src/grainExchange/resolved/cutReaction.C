@@ -45,7 +45,7 @@ void Foam::cutGrains::addForceOfCells
         hasWall[x.cell] = true;
         force[x.grain] +=
             x.share*(pressure_[x.cell] + remainder_[x.cell])
-          + link_[i]*(U[x.cell] - velocityAt(x));
+          + link_[i]*(U[x.cell] - velocityAt(i));
     }
     forAll(remainder_, celli)
     {
@@ -109,7 +109,7 @@ void Foam::cutGrains::sumLinks()
     {
         const cutCells::wall& x = walls[i];
         resistance_[x.cell] += link_[i];
-        pull_[x.cell] += link_[i]*velocityAt(x);
+        pull_[x.cell] += link_[i]*velocityAt(i);
     }
 }
 
@@ -131,7 +131,7 @@ void Foam::cutGrains::addViscousTorque
     forAll(walls, i)
     {
         const cutCells::wall& x = walls[i];
-        viscous[x.grain] += link_[i]*(x.arm ^ (U[x.cell] - velocityAt(x)));
+        viscous[x.grain] += link_[i]*(x.arm ^ (U[x.cell] - velocityAt(i)));
         resistance[x.grain] += link_[i]*magSqr(x.arm);
     }
     sumOverRanks(viscous);

@@ -119,13 +119,17 @@ def test_cells_of_the_surface_are_refined(clone):
     assert_kept(case, 0.053 * 0.01)
 
 
-def test_cells_of_grains_and_of_the_surface_are_refined(clone):
+@pytest.mark.parametrize("upper", [0.99, 1])
+def test_cells_of_grains_and_of_the_surface_are_refined(clone, upper):
+    """Or, up to a share of 1, those of all water."""
     case = spheres_into_water(clone)
     refinement = re.sub("field .*;", "field refinement;", REFINEMENT)
     refinement = re.sub("lowerRefineLevel .*;", "lowerRefineLevel 0.5;", refinement)
+    refinement = re.sub("upperRefineLevel .*;", "upperRefineLevel 2;", refinement)
     refinement = re.sub("unrefineLevel .*;", "unrefineLevel 0.5;", refinement)
     write(case, "constant/dynamicMeshDict", "dictionary", refinement)
     watched = 'type refinementIndicator; libs ("libgrainFunctionObjects.so"); alpha alpha.water;'
+    watched += f" upperAlpha {upper};"
     indicator = f"functions\n{{\n    indicator {{ {watched} }}"
     replace(case, "system/controlDict", "functions\n{", indicator)
     control(case, endTime=0.05, writeInterval=50)
@@ -138,6 +142,7 @@ def test_cells_of_grains_and_of_the_surface_are_refined(clone):
     assert eps[coarse].min() > 0.9
     mixed = (alpha > 0.05) & (alpha < 0.95)
     assert not (mixed & coarse).any()
+    assert ((alpha > 0.99) & coarse).any() == (upper < 1)
 
 
 @pytest.mark.parallel

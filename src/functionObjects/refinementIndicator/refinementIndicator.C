@@ -25,7 +25,10 @@ namespace
 const Foam::word none("none");
 
 // As the Courant number of the surface
-constexpr Foam::scalar leastAlpha = 0.01;
+constexpr Foam::scalar lowerAlpha = 0.01;
+
+// Of values of alpha
+constexpr Foam::scalar roundOff = 1e-6;
 
 }
 
@@ -46,7 +49,7 @@ Foam::functionObjects::refinementIndicator::refinementIndicator
 bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    checkFunctionKeywords(dict, {"alpha", "fluidFraction", "result"});
+    checkFunctionKeywords(dict, {"alpha", "upperAlpha", "fluidFraction", "result"});
 
     const string aField("the name of a field of the solver, as alpha.water");
     alphaName_ =
@@ -69,6 +72,10 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
         dictionaryInput::badValue(dict, "result", resultName_, aName);
     }
 
+    upperAlpha_ = dictionaryInput::getScalarOrDefault
+    (
+        dict, "upperAlpha", dimless, 1 - lowerAlpha, lowerAlpha, 1
+    );
     fluidFraction_ = dictionaryInput::getScalarOrDefault
     (
         dict, "fluidFraction", dimless, 0.999, 0, 1
@@ -110,7 +117,7 @@ void Foam::functionObjects::refinementIndicator::update()
         values = max
         (
             values,
-            pos0(alpha - leastAlpha)*pos0(1 - leastAlpha - alpha)
+            pos0(alpha - lowerAlpha)*pos0(upperAlpha_ + roundOff - alpha)
         );
     }
     result_->correctBoundaryConditions();

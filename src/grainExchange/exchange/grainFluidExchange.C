@@ -5,7 +5,9 @@
 
 #include "grainFluidExchange.H"
 
+#include "combineOverRanks.H"
 #include "dictionaryInput.H"
+#include "labelVector.H"
 #include "zeroGradientFvPatchFields.H"
 
 bool Foam::grainFluidExchange::readForm(const dictionary& dict)
@@ -158,16 +160,24 @@ void Foam::grainFluidExchange::tellTreatment()
     }
     hasTold_ = true;
 
-    label nResolved = 0, nUndisturbed = 0, nOfCells = 0, nCover = 0;
-    for (label i = 0; i < grains_.size(); ++i)
+    // Ranks without overlaps of a grain do not know more than zero
+    List<labelVector> treatments(grains_.size(), Zero);
+    forAll(treatments, i)
     {
-        const undisturbedFlow::correction c(unresolved_.undisturbed().of(i));
         const bool isResolved = resolved_->isResolved(i);
-        nResolved += isResolved;
-        nUndisturbed += !isResolved && c.share > 0;
-        nOfCells += !isResolved && !(c.share > 0);
-        nCover += !isResolved && c.covers;
+        const undisturbedFlow::correction c(unresolved_.undisturbed().of(i));
+        treatments[i] = labelVector
+        (
+            isResolved, !isResolved && c.share > 0, !isResolved && c.covers
+        );
     }
+    combineOverRanks(treatments, maxEqOp<labelVector>());
+
+    const labelVector number(sum(treatments));
+    const label nResolved = number.x();
+    const label nUndisturbed = number.y();
+    const label nOfCells = grains_.size() - nResolved - nUndisturbed;
+    const label nCover = number.z();
     Info<< "Treatment of the grains: " << nResolved << " resolved, "
         << nUndisturbed << " by a law in the flow undisturbed by them, "
         << nOfCells << " in that of their cells; " << nCover

@@ -45,7 +45,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
             sum.excessGradP += o.volume*filtered.excessGradP[o.cell];
         }
     }
-    sumRecordsOverRanks(result);
+    sumRecordsOverRanks(grains.shared(), result);
 
     for (flowAround& mean : result)
     {

@@ -184,15 +184,18 @@ void Foam::undisturbedFlow::set
             filtered(weight, eps, U, d)
         )
     );
-    corrections_.resize(grains.size());
+    corrections_ = List<correction>(grains.size());
     forAll(corrections_, i)
     {
-        corrections_[i] = correctionOf
-        (
-            flows[i],
-            grains.motion().velocity(i),
-            {law, grains.lawDiameter(i), flows[i].rho, flows[i].mu},
-            grains.fluidDiameter(i)
-        );
+        if (!grains.overlaps().of(i).empty())
+        {
+            corrections_[i] = correctionOf
+            (
+                flows[i],
+                grains.motion().velocity(i),
+                {law, grains.lawDiameter(i), flows[i].rho, flows[i].mu},
+                grains.fluidDiameter(i)
+            );
+        }
     }
 }

@@ -116,6 +116,7 @@ void Foam::grainSystem::map()
     voidFraction_->map(bodies_, overlaps_);
 
     mappedVolume_.resize(size());
+    scalarField nRanks(size());
     forAll(mappedVolume_, i)
     {
         mappedVolume_[i] = 0;
@@ -123,8 +124,19 @@ void Foam::grainSystem::map()
         {
             mappedVolume_[i] += o.volume;
         }
+        nRanks[i] = overlaps_.of(i).empty() ? 0 : 1;
     }
     sumOverRanks(mappedVolume_);
+    sumOverRanks(nRanks);
+    DynamicList<label> shared;
+    forAll(nRanks, i)
+    {
+        if (nRanks[i] > 1)
+        {
+            shared.append(i);
+        }
+    }
+    shared_.transfer(shared);
     findAtOpenings();
 }
 

@@ -99,10 +99,16 @@ public:
         return Approach<D>{Vector<D>::UnitX(), gap};
     }
 
-    /// Do two grains that are not clusters stay apart by more than a margin >= 0 [m] when their separation changes by
-    /// 'motion' [m]?  What approach() says of it, to first order in the motion, without roots.
+    /// Do two grains that are not clusters, or one and a wall, stay apart by more than a margin >= 0 [m] when their
+    /// separation changes by 'motion' [m]?  What approach() says of it, to first order in the motion, without roots; of a
+    /// wall only what is known quickly.
     bool staysApart(const Pair& pair, double margin, const Vector<D>& motion) const
     {
+        if (pair.second < 0)
+        {
+            const double reach = radius_[pair.first] + margin + motion.norm();
+            return walls_.isBeyond(~pair.second, position_[pair.first], reach);
+        }
         const Vector<D> toSecond = separation(pair);
         const double reach = radius_[pair.first] + radius_[pair.second] + margin;
         const double square = toSecond.squaredNorm(), later = square + toSecond.dot(motion);
@@ -117,6 +123,10 @@ public:
             const double touching = radius_[pair.first] + radius_[pair.second];
             const double square = separation(pair).squaredNorm();
             return square < touching * touching ? touching - std::sqrt(square) : 0;
+        }
+        if (staysApart(pair, 0, Vector<D>::Zero()))
+        {
+            return 0;
         }
         const auto wall = approach(pair);
         return wall ? std::max(0.0, -wall->gap) : 0;

@@ -56,19 +56,22 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
     {
         const Pair& pair = candidates_.pairs()[p];
         const ContactParameters& law = arrangement_.parameters(pair);
-        if (law.restitution <= 0 || (pair.second >= 0 && arrangement_.staysApart(pair, reach, Vector<D>::Zero())))
+        const bool isWall = pair.second < 0;
+        const int wallBody = isWall ? arrangement_.wallBody(~pair.second) : -1;
+        const int second = candidates_.secondBody(pair);
+        double closest = isWall ? dt_ * (fastest_ + (usual_ - flyers[second].body.velocity).norm()) : reach;
+        const bool isOfMovingWall = wallBody >= 0 && second == candidates_.fixedBody();
+        if (law.restitution <= 0 || (!isOfMovingWall && arrangement_.staysApart(pair, closest, Vector<D>::Zero())))
         {
             continue;
         }
         const auto approach = arrangement_.approach(pair);
-        if (!approach || (pair.second >= 0 && approach->gap > reach))
+        if (!approach || (!isOfMovingWall && approach->gap > closest))
         {
             continue;
         }
-        Item item{never, candidates_.body(pair.first), candidates_.secondBody(pair), 0, 0, Vector<D>::Zero(), 0, 0};
+        Item item{never, candidates_.body(pair.first), second, 0, 0, Vector<D>::Zero(), 0, 0};
         Details details{p, approach->normal, approach->gap, &law};
-        const bool isWall = pair.second < 0;
-        const int wallBody = isWall ? arrangement_.wallBody(~pair.second) : -1;
         Vector<D> push = -launches[item.i].push;
         item.slow = share * push.norm() + (impulses[p].normal > 0 ? resolved_ : 0);
         if (item.j < candidates_.fixedBody())
@@ -77,8 +80,7 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             item.slow += share * launches[item.j].push.norm();
         }
         item.slow = std::max(item.slow, normalShare * std::abs(push.dot(details.normal)));
-        double closest = isWall ? dt_ * (fastest_ + (usual_ - flyers[item.j].body.velocity).norm()) : reach;
-        if (wallBody >= 0 && item.j == candidates_.fixedBody())
+        if (isOfMovingWall)
         {
             const WallBody<D>& wall = wallBodies_[wallBody];
             const Vector<D> arm = arrangement_.contactPoint(pair, *approach) - wall.position;

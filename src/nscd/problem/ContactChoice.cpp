@@ -129,14 +129,15 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
 template <int D>
 bool ContactProblem<D>::staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const
 {
-    if (pair.second < 0 || arrangement_.hasClusters())
+    if (arrangement_.hasClusters() || (pair.second < 0 && arrangement_.wallBody(~pair.second) >= 0))
     {
         return false;
     }
-    Vector<D> motion = dt_ * (bodies[pair.second].velocity - bodies[pair.first].velocity);
+    const int i = candidates_.body(pair.first), j = candidates_.secondBody(pair);
+    Vector<D> motion = dt_ * (bodies[j].velocity - bodies[i].velocity);
     if (!data_.ahead.empty())
     {
-        motion -= dt_ * (data_.ahead[pair.second].velocity - data_.ahead[pair.first].velocity);
+        motion -= dt_ * (data_.ahead[j].velocity - data_.ahead[i].velocity);
     }
     return arrangement_.staysApart(pair, apart, motion);
 }

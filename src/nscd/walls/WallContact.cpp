@@ -219,6 +219,17 @@ double WallContact<D>::height(const HalfSpace& halfSpace, const Vector<D>& x) co
 }
 
 template <int D>
+bool WallContact<D>::isBeyond(int wall, const Vector<D>& x, double reach) const
+{
+    const int facet = facetOf_[wall];
+    if (facet < 0)
+    {
+        return height(halfSpaces_[~facet], x) > reach;
+    }
+    return !periodic_ && std::abs(mesh_.height(facet, x)) > reach;
+}
+
+template <int D>
 double WallContact<D>::distance(int wall, const Vector<D>& x) const
 {
     const int facet = facetOf_[wall];
@@ -297,8 +308,8 @@ auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat
             continue;
         }
         company.first = company.first && nearer;
-        const Sides otherOverThis = mesh_.sides(other, facet, joint);
-        const Sides thisOverOther = mesh_.sides(facet, other, joint);
+        const Sides& otherOverThis = mesh_.sides(other, facet, joint);
+        const Sides& thisOverOther = mesh_.sides(facet, other, joint);
         if (!flat && otherOverThis.none() && thisOverOther.none())
         {
             company.hollow = false;   // the plane is the other one's

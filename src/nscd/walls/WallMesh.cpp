@@ -3,8 +3,6 @@
 
 #include "nscd/walls/WallMesh.hpp"
 
-#include <algorithm>
-
 namespace nscd
 {
 
@@ -41,6 +39,7 @@ WallMesh<D>::WallMesh(const std::vector<Facet<D>>& facets, const std::vector<int
         initialRoundOff_ = std::max(initialRoundOff_, relativeRoundOff * x.cwiseAbs().maxCoeff());
     }
     roundOff_ = initialRoundOff_;
+    measureAllSides();
     movingCorners_ = moving(corner_.size(), [](int c) { return c; });
     movingEdges_ = moving(edges_.size(), [this](int e) { return edges_[e].from; });
     movingFacets_ = moving(normal_.size(), [this](int f) { return sides_[joints_.sideBegin[f]].corner; });
@@ -160,7 +159,23 @@ Foot<3> WallMesh<3>::nearest(int facet, const Vector<3>& x) const
 }
 
 template <int D>
-Sides WallMesh<D>::sides(int a, int b, int joint) const
+void WallMesh<D>::measureAllSides()
+{
+    for (int joint = 0; joint + 1 < static_cast<int>(joints_.facetBegin.size()); ++joint)
+    {
+        sidesBegin_.push_back(sidesAt_.size());
+        for (const int a : facetsAt(joint))
+        {
+            for (const int b : facetsAt(joint))
+            {
+                sidesAt_.push_back(measureSides(a, b, joint));
+            }
+        }
+    }
+}
+
+template <int D>
+Sides WallMesh<D>::measureSides(int a, int b, int joint) const
 {
     const int corners = static_cast<int>(corner_.size());
     const Vector<D>& from = corner_[joint < corners ? joint : edges_[joint - corners].from];

@@ -7,6 +7,8 @@
 #include "nscd/walls/WallJoints.hpp"
 #include "nscd/walls/WallMotion.hpp"
 
+#include <algorithm>
+
 namespace nscd
 {
 
@@ -61,7 +63,12 @@ public:
     }
 
     /// Sides of facet b's plane on which facet a lies, given one of their joints; none if their planes are the same.
-    Sides sides(int a, int b, int joint) const;
+    const Sides& sides(int a, int b, int joint) const
+    {
+        const Facets facets = facetsAt(joint);
+        const auto place = [&](int facet) { return std::find(facets.begin(), facets.end(), facet) - facets.begin(); };
+        return sidesAt_[sidesBegin_[joint] + place(a) * (facets.end() - facets.begin()) + place(b)];
+    }
 
     /// Round-off of distances [m].
     double roundOff() const { return roundOff_; }
@@ -87,6 +94,8 @@ private:
 
     void measureEdge(int edge);
     void measure(int facet);
+    Sides measureSides(int a, int b, int joint) const;
+    void measureAllSides();
 
     /// Numbers below n of what belongs to a body, given its corner.
     template <class Corner>
@@ -99,6 +108,8 @@ private:
     std::vector<double> size_;   ///< greatest distance of corners from a facet's first [m]
     std::vector<Side> sides_;
     std::vector<Edge> edges_;
+    std::vector<Sides> sidesAt_;            ///< of each joint: of each of its facets to each of them
+    std::vector<std::size_t> sidesBegin_;   ///< of each joint
     double initialRoundOff_ = 0, roundOff_ = 0;
 };
 

@@ -5,10 +5,12 @@
 
 #include "transportFlux.H"
 
+#include "cyclicFvPatch.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
+#include "processorFvPatch.H"
 #include "timeScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -35,15 +37,20 @@ wordList patchTypes(const volScalarField& p)
 }
 
 
-//- Has a rank cyclic patches or neighbours?
-bool isCoupled(const fvMesh& mesh)
+//- Is one cell beside one face of all coupled boundaries?
+bool isPaired(const fvMesh& mesh)
 {
-    bool result = false;
+    bool result = true;
     for (const fvPatch& patch : mesh.boundary())
     {
-        result = result || patch.coupled();
+        result = result
+         && (
+                !patch.coupled()
+             || isA<processorFvPatch>(patch)
+             || isA<cyclicFvPatch>(patch)
+            );
     }
-    return returnReduce(result, orOp<bool>());
+    return returnReduce(result, andOp<bool>());
 }
 
 
@@ -103,7 +110,7 @@ Foam::transportFlux::transportFlux
         mesh_,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
-    isCoupled_(isCoupled(mesh_)),
+    isPaired_(isPaired(mesh_)),
     isShareLost_(false),
     defect_(0),
     correction_(0),
@@ -286,7 +293,7 @@ void Foam::transportFlux::set
         (
             solverControls
             (
-                keepsMatrix && !isCoupled_,
+                keepsMatrix && isPaired_,
                 min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
             )
         );

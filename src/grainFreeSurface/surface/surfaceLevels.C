@@ -6,6 +6,7 @@
 #include "surfaceLevels.H"
 
 #include "cutCell.H"
+#include "fvc.H"
 #include "wetFaces.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -140,7 +141,7 @@ void Foam::surfaceLevels::limit
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::flatness
+Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::evenness
 (
     const volScalarField& alpha,
     const volScalarField& levels
@@ -199,15 +200,59 @@ Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::flatness
             );
         }
     }
-    tmp<volScalarField> tflat
+    tmp<volScalarField> tresult
     (
         new volScalarField
         (
-            "flatness", min(max(2 - 2*steep, scalar(0)), scalar(1))
+            "evenness", min(max(2 - 2*steep, scalar(0)), scalar(1))
         )
     );
-    tflat.ref().correctBoundaryConditions();
-    return tflat;
+    tresult.ref().correctBoundaryConditions();
+    return tresult;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::flatness
+(
+    const volScalarField& alpha,
+    const volScalarField& levels
+) const
+{
+    // Cosines of slopes of 45 and 65 degrees
+    constexpr scalar level = 0.7, steep = 0.42;
+
+    const surfaceVectorField gradient(fvc::interpolate(fvc::grad(alpha)));
+    const surfaceScalarField cosine
+    (
+        mag(gradient & up_)
+       /(mag(gradient) + dimensionedScalar("small", gradient.dimensions(), VSMALL))
+    );
+    tmp<surfaceScalarField> tresult
+    (
+        min(max((cosine - steep)/(level - steep), scalar(0)), scalar(1))
+    );
+    surfaceScalarField& result = tresult.ref();
+
+    const volScalarField even(evenness(alpha, levels));
+    forAll(mesh_.neighbour(), facei)
+    {
+        const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
+        result[facei] = max(result[facei], min(even[P], even[N]));
+    }
+    forAll(even.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& evenP = even.boundaryField()[patchi];
+        if (evenP.coupled())
+        {
+            fvsPatchScalarField& patch = result.boundaryFieldRef()[patchi];
+            patch = max
+            (
+                patch,
+                min(evenP.patchInternalField()(), evenP.patchNeighbourField()())
+            );
+        }
+    }
+    return tresult;
 }
 
 
@@ -223,7 +268,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
     surfaceScalarField& result = tresult.ref();
 
     const volScalarField level(levels(alpha));
-    const volScalarField flat(flatness(alpha, level));
+    const surfaceScalarField flat(flatness(alpha, level));
     const auto blend = [&]
     (
         scalar& gh,
@@ -241,8 +286,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
         const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
         blend
         (
-            result[facei], alpha[P], alpha[N], level[P], level[N],
-            min(flat[P], flat[N])
+            result[facei], alpha[P], alpha[N], level[P], level[N], flat[facei]
         );
     }
     forAll(result.boundaryField(), patchi)
@@ -253,10 +297,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
             continue;
         }
         const scalarField levelN(levelP.patchNeighbourField());
-        const scalarField flatN
-        (
-            flat.boundaryField()[patchi].patchNeighbourField()
-        );
         const scalarField alphaN
         (
             alpha.boundaryField()[patchi].patchNeighbourField()
@@ -267,7 +307,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
             blend
             (
                 result.boundaryFieldRef()[patchi][i], alpha[P], alphaN[i],
-                level[P], levelN[i], min(flat[P], flatN[i])
+                level[P], levelN[i], flat.boundaryField()[patchi][i]
             );
         }
     }

@@ -5,6 +5,8 @@
 
 #include "cutCell.H"
 
+#include <limits>
+
 void Foam::cutCell::sort(scalar& low, scalar& middle, scalar& high)
 {
     if (low > middle)
@@ -124,24 +126,35 @@ Foam::scalar Foam::cutCell::level(const scalar share) const
         return centre_ + high_;
     }
 
-    // Secant steps with every other one a bisection
+    // Regula falsi (Illinois): an end that stays counts half
     constexpr label most = 120;
+    constexpr scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
 
     scalar low = low_, high = high_;
     scalar atLow = -share, atHigh = 1 - share;
-    for (label i = 0; i < most && high - low > 1e-15*(high_ - low_); ++i)
+    scalar z = low;
+    label last = 0;
+    for (label i = 0; i < most; ++i)
     {
-        const scalar z =
-            i%2
-          ? 0.5*(low + high)
-          : low - (high - low)*atLow/(atHigh - atLow);
+        const scalar before = z;
+        z = low - (high - low)*atLow/(atHigh - atLow);
         const scalar difference = shareBelow(z) - share;
-        if (difference == 0)
+        if
+        (
+            mag(difference) < roundOff
+         || (i > 0 && mag(z - before) < roundOff*(high_ - low_))
+        )
         {
-            return centre_ + z;
+            break;
         }
+        const label side = difference < 0 ? -1 : 1;
         (difference < 0 ? low : high) = z;
         (difference < 0 ? atLow : atHigh) = difference;
+        if (side == last)
+        {
+            (difference < 0 ? atHigh : atLow) *= 0.5;
+        }
+        last = side;
     }
-    return centre_ + (-atLow < atHigh ? low : high);
+    return centre_ + z;
 }

@@ -100,8 +100,8 @@ public:
     }
 
     /// Do two grains that are not clusters, or one and a wall, stay apart by more than a margin >= 0 [m] when their
-    /// separation changes by 'motion' [m]?  What approach() says of it, to first order in the motion, without roots; of a
-    /// wall only what is known quickly.
+    /// separation changes by 'motion' [m]?  What approach() says of it, to first order in the motion, without roots;
+    /// of a wall only what is known quickly.
     bool staysApart(const Pair& pair, double margin, const Vector<D>& motion) const
     {
         if (pair.second < 0)

@@ -49,8 +49,8 @@ public:
     /// Nothing when other facets speak for this one.
     std::optional<Approach<D>> approach(int wall, const Vector<D>& centre, double radius) const;
 
-    /// Is the plane of a wall farther than 'reach' >= 0 [m] from x, so that no contact of a ball around x can be nearer?
-    /// A quick answer: false where it is not known, as in a periodic box.
+    /// Is the plane of a wall farther than 'reach' >= 0 [m] from x, so that no contact of a ball around x can be
+    /// nearer?  A quick answer: false where it is not known, as in a periodic box.
     bool isBeyond(int wall, const Vector<D>& x, double reach) const;
 
     /// Distance of a point to the nearest point of a wall [m]; negative inside a half space.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The droplets in the hot gas (snapshots/), fall and heat beside laws of cylinders (results.csv)."""
+"""The droplets in the hot gas (snapshots/); fall and heat beside laws (results.csv)."""
 
 from pathlib import Path
 
@@ -79,7 +79,7 @@ def main():
     lines = [
         "quantity,value,law",
         f"greatest speed [m/s],{-upper['vy'][fastest]:.4f},{law[fastest]:.4f}",
-        f"heat of the last 10 ms [mW],{1e3 * rate[late].mean():.3g},{1e3 * warmed[late].mean():.3g}",
+        f"heat, last 10 ms [mW],{1e3 * rate[late].mean():.3g},{1e3 * warmed[late].mean():.3g}",
         f"radius at the end over the first,{2 * lower['radius'][-1] / d:.4f},{2**0.5:.4f}",
         f"water unaccounted for,{abs(came - left - vapour) / came:.1e},0",
     ]

@@ -52,16 +52,21 @@ def make_cyclic(case, *pairs):
             replace(case, "system/blockMeshDict", wall, cyclic)
 
 
+def remove_walls(case):
+    """Those that grains meet."""
+    file = case.path / "constant/grainProperties"
+    text = file.read_text()
+    start, end = text.index("walls\n{"), text.index("initialGrains")
+    file.write_text(f"{text[:start]}walls\n{{}}\n\n{text[end:]}")
+
+
 def cyclic_box(clone, centres, radius):
     """No walls: what leaves on one side comes in on the other."""
     case = grain_box(clone, centres, radius)
     make_cyclic(case, ("left", "right"), ("bottom", "top"))
     replace(case, "0/U", "noSlip", "cyclic")
     replace(case, "0/p_rgh", "zeroGradient", "cyclic")
-    text = (case.path / "constant/grainProperties").read_text()
-    before, after = text.split("walls\n{")
-    after = after[after.index("initialGrains") :]
-    (case.path / "constant/grainProperties").write_text(f"{before}walls\n{{}}\n\n{after}")
+    remove_walls(case)
     replace(case, "constant/g", "(0 -9.81 0)", "(0 0 0)")
     case.run("blockMesh")
     return case

@@ -13,7 +13,7 @@ import foamlib
 import grainplot
 import numpy as np
 from dry_box import GRAINS, write_grains
-from grain_box import control, replace
+from grain_box import control, make_cyclic, remove_walls, replace
 from moving_mesh import write
 
 SIDE = 0.1
@@ -62,6 +62,18 @@ def sphere_box(
         case.run("blockMesh")
     if mesh == "warped":
         warp(case, n, side)
+    return case
+
+
+def cyclic_cube(clone, centres, radius, n, velocity=None, name=None):
+    """No walls and no weight: what leaves on one side comes in on the other."""
+    case = sphere_box(clone, centres, radius, n=n, velocity=velocity, name=name)
+    make_cyclic(case, ("left", "right"), ("bottom", "top"), ("back", "front"))
+    replace(case, "0/U", "noSlip", "cyclic")
+    replace(case, "0/p_rgh", "zeroGradient", "cyclic")
+    replace(case, "constant/g", "-9.81", "0")
+    remove_walls(case)
+    case.run("blockMesh")
     return case
 
 

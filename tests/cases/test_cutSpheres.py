@@ -8,37 +8,26 @@ from grain_box import (
     assert_same_grains,
     control,
     ledger,
-    make_cyclic,
     replace,
     run_whole_and_parts,
     tracks,
 )
-from sphere_box import SIDE, decompose, field, sphere_box
+from sphere_box import SIDE, cyclic_cube, decompose, field, sphere_box
 from test_cutCells import FLUID, GRAINS, RHO, assert_ranks_agree, choose
 
 PLACE = (0.471 * SIDE, 0.511 * SIDE, 0.487 * SIDE)
 VOLUME = SIDE**3
 
 
-def cyclic_cube(clone, radius, n, velocity=(0, 0, 0), name=None):
-    """No walls and no weight: what leaves on one side comes in on the other."""
-    case = sphere_box(clone, [PLACE], radius, n=n, velocity=[velocity], name=name)
-    make_cyclic(case, ("left", "right"), ("bottom", "top"), ("back", "front"))
-    replace(case, "0/U", "noSlip", "cyclic")
-    replace(case, "0/p_rgh", "zeroGradient", "cyclic")
-    replace(case, "constant/g", "-9.81", "0")
-    text = (case.path / GRAINS).read_text()
-    start, end = text.index("walls\n{"), text.index("initialGrains")
-    (case.path / GRAINS).write_text(f"{text[:start]}walls\n{{}}\n\n{text[end:]}")
-    case.run("blockMesh")
-    return choose(case)
+def cut_cube(clone, radius, n, velocity=(0, 0, 0), name=None):
+    return choose(cyclic_cube(clone, [PLACE], radius, n, [velocity], name))
 
 
 @pytest.mark.parametrize("density", [500, 7800])
 def test_fluid_and_sphere_that_move_together_go_on(clone, density):
     speed = 0.1
     velocity = speed * np.array([0.6, 0.64, 0.48])
-    case = cyclic_cube(clone, 0.02, 12, velocity)
+    case = cut_cube(clone, 0.02, 12, velocity)
     uniform = "uniform ({} {} {})".format(*velocity)
     replace(case, "0/U", "uniform (0 0 0)", uniform)
     replace(case, GRAINS, "density 2500", f"density {density}")
@@ -55,7 +44,7 @@ def test_fluid_and_sphere_that_move_together_go_on(clone, density):
 def test_momentum_of_fluid_and_sphere_is_kept(clone):
     """What a sphere loses in a cyclic cube the fluid has, in the exact fluid fraction."""
     speed, radius, n = 0.1, 0.02, 16
-    case = cyclic_cube(clone, radius, n, (speed, 0, 0))
+    case = cut_cube(clone, radius, n, (speed, 0, 0))
     replace(case, FLUID, "1e-4", repr(speed * 2 * radius / 40))
     replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
     control(case, deltaT=0.01, endTime=0.4, writeInterval=40)
@@ -72,7 +61,7 @@ def test_momentum_of_fluid_and_sphere_is_kept(clone):
 def creeping_force(clone, n):
     """Over 3 pi mu d U, of a cubic array of fixed spheres of 6.4 % of the volume."""
     nu, drop, radius = 1.0, -1e-3, np.cbrt(3 / (4 * np.pi) * 0.064) * SIDE
-    case = cyclic_cube(clone, radius, n, name=str(n))
+    case = cut_cube(clone, radius, n, name=str(n))
     path = case.path / "0/p_rgh"
     jump = "{ type fixedJump; patchType cyclic; value uniform 0;"
     ends = f"left {jump} jump uniform {drop}; }}\n    right {jump} }}\n"

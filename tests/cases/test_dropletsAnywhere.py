@@ -14,7 +14,7 @@ from droplet_box import (
     open_top,
     with_droplets,
 )
-from grain_box import DEPTH, control, grain_box, make_cyclic, replace
+from grain_box import DEPTH, control, grain_box, make_cyclic, remove_walls, replace
 from heat_box import heat_ledger, with_heat
 
 
@@ -79,11 +79,7 @@ def drag(clone, name, gas, droplet, dt, cells=32):
     replace(case, "0/p_rgh", "zeroGradient", "cyclic")
     replace(case, "0/U", "uniform (0 0 0)", f"uniform ({gas} 0 0)")
     replace(case, "constant/g", "-9.81", "0")
-    text = (case.path / "constant/grainProperties").read_text()
-    before, after = text.split("walls\n{")
-    (case.path / "constant/grainProperties").write_text(
-        f"{before}walls\n{{}}\n\n{after[after.index('initialGrains') :]}"
-    )
+    remove_walls(case)
     with_droplets(case, [(0.051, 0.052)], 0.0125, velocity=[(droplet, 0)], density=5e3)
     replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
     control(case, endTime=50 * dt, deltaT=dt, writeInterval=1000)

@@ -24,6 +24,7 @@ from droplet_box import (
 from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
 from heat_box import GRAIN_CP, heat_ledger, with_heat, with_psi
 from sphere_box import sphere_box
+from test_parallel import decompose
 
 
 @pytest.mark.parametrize("B", [0.14, 1.0])
@@ -212,12 +213,14 @@ def test_restart_and_ranks(clone):
     for name in ("U", "T", "p_rgh"):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 
-    ranks = falling(clone, "ranks")
-    ranks.run("decomposePar")
-    ranks.parallel("grainDropletFoam", 2)
-    one, two = droplet_table(whole), droplet_table(ranks)
-    for column in ("y", "liquid", "radius"):
-        np.testing.assert_allclose(two[column], one[column], rtol=1e-8)
+    one = droplet_table(whole)
+    for number in (2, 4):
+        ranks = falling(clone, f"ranks{number}")
+        decompose(ranks, number)
+        ranks.parallel("grainDropletFoam", number)
+        many = droplet_table(ranks)
+        for column in ("y", "liquid", "radius"):
+            np.testing.assert_allclose(many[column], one[column], rtol=1e-8)
 
 
 def test_adjustable_steps_follow_the_droplet(clone):

@@ -4,7 +4,16 @@
 
 import numpy as np
 import pytest
-from droplet_box import BOILING, GAS, GAS_CP, GAS_RHO, LATENT, droplet_table, make_gas, with_droplets
+from droplet_box import (
+    BOILING,
+    GAS,
+    GAS_CP,
+    GAS_RHO,
+    LATENT,
+    droplet_table,
+    make_gas,
+    with_droplets,
+)
 from grain_box import control, replace
 from heat_box import with_heat
 from sphere_box import SIDE, cyclic_cube

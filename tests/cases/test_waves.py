@@ -6,6 +6,7 @@ import foamlib
 import numpy as np
 import pytest
 from grain_box import control, mesh_triangles, replace
+from test_parallel import decompose
 from water_box import SIZE, set_water, to_two_fluids
 
 DEPTH, HEIGHT = 0.05, 0.008  # of the water; of the wave over it [m]
@@ -83,3 +84,18 @@ def test_a_wave_keeps_its_height(clone, mesh):
     print(mesh, "crests", crests)
     # Quads take 0.114, the others at most twice that
     assert min(crests) >= (0.88 if mesh == "quads" else 0.77)
+
+
+@pytest.mark.parallel
+def test_ranks_agree(clone):
+    one = tank(clone, "wavy rows")
+    one.path = one.path.rename(one.path.with_name("one"))
+    two = tank(clone, "wavy rows")
+    for case in (one, two):
+        control(case, endTime=0.2, writeInterval=200)
+    one.run("grainInterFoam")
+    decompose(two, 2)
+    two.parallel("grainInterFoam", 2)
+    two.run("reconstructPar -latestTime")
+    # The pressure's tolerance
+    np.testing.assert_allclose(two.field("alpha.water"), one.field("alpha.water"), atol=1e-6)

@@ -294,8 +294,11 @@ auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat
     Company company;
     double shortest = 0;
     const bool above = mesh_.height(facet, x) >= 0;
+    const std::size_t own = mesh_.placeAt(joint, facet);
+    std::size_t place = 0;
     for (const int other : mesh_.facetsAt(joint))
     {
+        const std::size_t its = place++;
         const int itself = isImage(other) ? imageOf(other).facet : other;
         if (itself == facet || (isImage(other) && isAstray(other)))
         {
@@ -308,8 +311,8 @@ auto WallContact<D>::company(int facet, int joint, const Vector<D>& x, bool flat
             continue;
         }
         company.first = company.first && nearer;
-        const Sides& otherOverThis = mesh_.sides(other, facet, joint);
-        const Sides& thisOverOther = mesh_.sides(facet, other, joint);
+        const Sides& otherOverThis = mesh_.sides(joint, its, own);
+        const Sides& thisOverOther = mesh_.sides(joint, own, its);
         if (!flat && otherOverThis.none() && thisOverOther.none())
         {
             company.hollow = false;   // the plane is the other one's

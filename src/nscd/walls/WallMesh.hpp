@@ -54,6 +54,7 @@ public:
 
         const int* begin() const { return first; }
         const int* end() const { return last; }
+        std::size_t size() const { return last - first; }
     };
 
     Facets facetsAt(int joint) const
@@ -62,12 +63,17 @@ public:
         return {facets + joints_.facetBegin[joint], facets + joints_.facetBegin[joint + 1]};
     }
 
-    /// Sides of facet b's plane on which facet a lies, given one of their joints; none if their planes are the same.
-    const Sides& sides(int a, int b, int joint) const
+    /// Place of a facet among those that meet in a joint.
+    std::size_t placeAt(int joint, int facet) const
     {
         const Facets facets = facetsAt(joint);
-        const auto place = [&](int facet) { return std::find(facets.begin(), facets.end(), facet) - facets.begin(); };
-        return sidesAt_[sidesBegin_[joint] + place(a) * (facets.end() - facets.begin()) + place(b)];
+        return std::find(facets.begin(), facets.end(), facet) - facets.begin();
+    }
+
+    /// Sides of facet b's plane on which facet a lies, given their places at a joint; none if their planes are the same.
+    const Sides& sides(int joint, std::size_t a, std::size_t b) const
+    {
+        return sidesAt_[sidesBegin_[joint] + a * facetsAt(joint).size() + b];
     }
 
     /// Round-off of distances [m].

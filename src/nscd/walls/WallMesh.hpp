@@ -70,7 +70,7 @@ public:
         return std::find(facets.begin(), facets.end(), facet) - facets.begin();
     }
 
-    /// Sides of facet b's plane on which facet a lies, given their places at a joint; none if their planes are the same.
+    /// Sides of facet b's plane on which facet a lies, given their places at a joint; none if their planes are one.
     const Sides& sides(int joint, std::size_t a, std::size_t b) const
     {
         return sidesAt_[sidesBegin_[joint] + a * facetsAt(joint).size() + b];

@@ -53,6 +53,26 @@ TEST(Triangle, IsAsFarAwayAsASearchFinds)
     }
 }
 
+TEST(Triangle, IsNotMetBeyondItsReach)
+{
+    // Two that lean against each other, a hollow on one side and a ridge on the other, and a half space
+    nscd::Random random(3);
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Point a = randomPoint(random, 1), b = randomPoint(random, 1);
+        const nscd::WallContact<3> walls({nscd::Triangle{a, b, randomPoint(random, 1)},
+                                          nscd::Triangle{b, a, randomPoint(random, 1)},
+                                          nscd::Plane{a, randomPoint(random, 1).normalized()}});
+        const Point x = randomPoint(random, 2);
+        const double margin = random.uniform(0, 1);
+        for (int w = 0; w < 3; ++w)
+        {
+            const auto approach = walls.approach(w, x, radius);
+            EXPECT_TRUE(!walls.isBeyond(w, x, radius + margin) || !approach || approach->gap > margin);
+        }
+    }
+}
+
 TEST(Triangle, PushesACentreThatLiesOnItToTheSideOfItsNormal)
 {
     const nscd::WallContact<3> walls({nscd::Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});

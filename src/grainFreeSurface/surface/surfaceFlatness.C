@@ -6,6 +6,7 @@
 #include "surfaceLevels.H"
 
 #include "fvc.H"
+#include "localMin.H"
 
 Foam::tmp<Foam::volScalarField> Foam::surfaceLevels::evenness
 (
@@ -93,30 +94,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::flatness
         mag(gradient & up_)
        /(mag(gradient) + dimensionedScalar("small", gradient.dimensions(), VSMALL))
     );
-    tmp<surfaceScalarField> tresult
+    return max
     (
-        min(max((cosine - steep)/(level - steep), scalar(0)), scalar(1))
+        min(max((cosine - steep)/(level - steep), scalar(0)), scalar(1)),
+        localMin<scalar>(mesh_).interpolate(evenness(alpha, levels))
     );
-    surfaceScalarField& result = tresult.ref();
-
-    const volScalarField even(evenness(alpha, levels));
-    forAll(mesh_.neighbour(), facei)
-    {
-        const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
-        result[facei] = max(result[facei], min(even[P], even[N]));
-    }
-    forAll(even.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& evenP = even.boundaryField()[patchi];
-        if (evenP.coupled())
-        {
-            fvsPatchScalarField& patch = result.boundaryFieldRef()[patchi];
-            patch = max
-            (
-                patch,
-                min(evenP.patchInternalField()(), evenP.patchNeighbourField()())
-            );
-        }
-    }
-    return tresult;
 }

@@ -88,8 +88,8 @@ int main(int argc, char *argv[])
             steam.beforeMeshChange(carried.flux());
             if (mesh.update())
             {
-                exchange.meshChanged();
                 droplets.meshChanged();
+                exchange.meshChanged();
                 flow.meshChanged();
                 heat.meshChanged(carried.flux());
                 steam.meshChanged(carried.flux());

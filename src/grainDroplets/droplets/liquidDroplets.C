@@ -57,7 +57,7 @@ Foam::liquidDroplets::liquidDroplets
     }
     // Masses are their own from now on, not that of their material
     lighten(scalarField(size(), Zero));
-    setFilled(scalarField(mesh.nCells(), Zero));
+    setInside(scalarField(mesh.nCells(), Zero));
 }
 
 
@@ -190,17 +190,29 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
 }
 
 
-void Foam::liquidDroplets::setFilled(const scalarField& grains)
+void Foam::liquidDroplets::setFilled()
 {
     const scalarField& V = system_.mesh().V();
     filled_ = scalarField(V.size(), Zero);
-    inside_ = scalarField(size(), Zero);
     findSmall(fewest);
     for (label i = 0; i < size(); ++i)
     {
         for (const cellOverlap& o : system_.overlaps().of(i))
         {
             filled_[o.cell] += o.volume/V[o.cell];
+        }
+    }
+}
+
+
+void Foam::liquidDroplets::setInside(const scalarField& grains)
+{
+    setFilled();
+    inside_ = scalarField(size(), Zero);
+    for (label i = 0; i < size(); ++i)
+    {
+        for (const cellOverlap& o : system_.overlaps().of(i))
+        {
             inside_[i] += o.volume*grains[o.cell];
         }
     }
@@ -310,7 +322,7 @@ void Foam::liquidDroplets::swell(const scalarField& grains)
     }
     for (label iteration = 0; iteration < 50; ++iteration)
     {
-        setFilled(grains);
+        setInside(grains);
         scalar worst = 0;
         forAll(volume, i)
         {
@@ -333,13 +345,14 @@ void Foam::liquidDroplets::swell(const scalarField& grains)
         }
         setVolumes(volume, mass);
     }
-    setFilled(grains);
+    setInside(grains);
 }
 
 
 void Foam::liquidDroplets::meshChanged()
 {
     system_.meshChanged();
+    setFilled();
 }
 
 

@@ -86,10 +86,10 @@ void Foam::twoFluids::correctSurface()
 }
 
 
-void Foam::twoFluids::keepTension(const volScalarField& sigmaK)
+void Foam::twoFluids::keepTension(const surfaceScalarField& sigmaK)
 {
     keptTension_.clear();
-    keptTension_ = fvc::interpolate(sigmaK)*fvc::snGrad(alpha());
+    keptTension_ = sigmaK*fvc::snGrad(alpha());
 }
 
 

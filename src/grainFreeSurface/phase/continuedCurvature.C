@@ -5,6 +5,7 @@
 
 #include "continuedFraction.H"
 
+#include "fvc.H"
 #include "gaussLaplacianScheme.H"
 #include "localMin.H"
 #include "zeroGradientFvPatchFields.H"
@@ -119,6 +120,27 @@ Foam::tmp<Foam::volScalarField> Foam::continuedFraction::continuedTension
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::tensionOfFaces
+(
+    const twoFluids& fluid
+)
+{
+    // Between cells that are both without a surface it is the mean
+    constexpr scalar least = 1e-4;
+
+    const scalarField alpha
+    (
+        max(min(fluid.alpha().primitiveField(), scalar(1)), scalar(0))
+    );
+    volScalarField weight(ofCells(fluid.alpha().mesh(), "atSurface"));
+    weight.primitiveFieldRef() = max(sqrt(alpha*(1 - alpha)), least);
+    weight.correctBoundaryConditions();
+    return
+        fvc::interpolate(weight*fluid.mixture().sigmaK())
+       /fvc::interpolate(weight);
+}
+
+
 void Foam::continuedFraction::bend
 (
     const scalarField& held,
@@ -136,9 +158,12 @@ void Foam::continuedFraction::bend
     );
     continued.primitiveFieldRef() = held;
     continueAngles(cut_, curvature, continued);
-    for (const label celli : cut_)
+    forAll(cut_, i)
     {
-        alpha[celli] = max(min(continued[celli], scalar(1)), scalar(0));
+        const label celli = cut_[i];
+        alpha[celli] =
+            ownPart_[i]*held[celli]
+          + (1 - ownPart_[i])*max(min(continued[celli], scalar(1)), scalar(0));
     }
     alpha.correctBoundaryConditions();
     fluid.correctSurface();
@@ -167,8 +192,10 @@ void Foam::continuedFraction::correctSurface(twoFluids& fluid) const
         bend(held, curvature, fluid);
     }
 
+    const surfaceScalarField tension(tensionOfFaces(fluid));
+
     // It balances the pressure of what is there, whose density that is
     alpha.primitiveFieldRef() = held;
     alpha.correctBoundaryConditions();
-    fluid.keepTension(fluid.mixture().sigmaK()());
+    fluid.keepTension(tension);
 }

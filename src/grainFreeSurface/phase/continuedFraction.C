@@ -113,14 +113,17 @@ void Foam::continuedFraction::findCovered
     covered_.transfer(covered);
 
     DynamicList<label> cut;
+    DynamicList<scalar> ownPart;
     forAll(open, celli)
     {
         if (open[celli] < 0.5 || eps[celli] < 1 - SMALL)
         {
             cut.append(celli);
+            ownPart.append(open[celli] < 0.5 ? 0 : eps[celli]);
         }
     }
     cut_.transfer(cut);
+    ownPart_.transfer(ownPart);
     isAny_ = returnReduce(covered_.size() > 0, orOp<bool>());
 
     carried_.writeOpt() = isAny_ ? IOobject::AUTO_WRITE : IOobject::NO_WRITE;

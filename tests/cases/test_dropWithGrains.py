@@ -37,7 +37,7 @@ def drop(clone, angle, name):
     discs = []
     if angle is not None:
         cosine = np.cos(np.radians(angle))
-        away = np.sqrt(DROP**2 + DISC**2 + 2 * DROP * DISC * cosine)
+        away = np.sqrt(DROP**2 + DISC**2 - 2 * DROP * DISC * cosine)
         discs = MIDDLE + away * np.column_stack([np.cos(PLACES), np.sin(PLACES)])
     case = water_box(clone, circle(discs), discs, DISC, (N, N), sigma=SIGMA, name=name)
     replace(case, "constant/g", "-9.81", "0")
@@ -62,6 +62,5 @@ def test_discs_in_the_surface_of_a_drop_add_no_current(clone):
     together = drop(clone, 90, "together")
     together.run("grainInterFoam")
     (most, mean), (most_alone, mean_alone) = currents(together), currents(alone)
-    assert mean <= mean_alone
-    # Single cells of air beside the discs had 0.9 to 1.8 of it at three places of drop and discs
-    assert most <= 2 * most_alone
+    assert mean <= 0.75 * mean_alone
+    assert most <= most_alone

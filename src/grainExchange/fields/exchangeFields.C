@@ -78,7 +78,7 @@ Foam::exchangeFields::exchangeFields
         dimensionedScalar("one", dimless, 1),
         zeroGradientFvPatchScalarField::typeName
     ),
-    kappa(zeroField<scalar>(mesh, "addedShare", dimless)),
+    kappa(zeroField<scalar>(mesh, "kappa", dimless)),
     beta(zeroField<scalar>(mesh, "beta", dimDensity/dimTime)),
     b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
     G(zeroField<vector>(mesh, "G", dimVelocity)),

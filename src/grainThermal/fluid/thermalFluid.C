@@ -87,7 +87,7 @@ Foam::thermalFluid::thermalFluid
     rhoWeight_("rhoWeight", rho()),
     kappa_
     (
-        IOobject("kappa", U.time().timeName(), U.mesh()),
+        IOobject("kappaOfFluid", U.time().timeName(), U.mesh()),
         U.mesh(),
         dimensionedScalar(dimConductivity, Zero)
     )

@@ -13,7 +13,7 @@ GRAINS = "constant/grainProperties"
 CP = 1000.0
 KAPPA = 0.6
 GRAIN_CP = 800.0
-SOLVER = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-15; relTol 0; maxIter 500; }"
+SOLVER = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-16; relTol 0; maxIter 500; }"
 
 
 def with_heat(

@@ -30,6 +30,7 @@ Foam::lockedGrains::lockedGrains
         mesh_,
         dimensionedVector(dimVelocity, Zero)
     ),
+    lastU_("lastU", freeU_),
     rigidForce_
     (
         IOobject("rigidForce", mesh_.time().timeName(), mesh_),
@@ -65,15 +66,19 @@ void Foam::lockedGrains::setFreeMotion()
     }
 
     freeU_ == dimensionedVector(dimVelocity, Zero);
+    lastU_ == dimensionedVector(dimVelocity, Zero);
     forAll(freeU_, celli)
     {
         const label graini = cells_.grain(celli);
         if (graini >= 0)
         {
-            freeU_[celli] = free_[graini].at(cells_.arm(celli));
+            const vector arm(cells_.arm(celli));
+            freeU_[celli] = free_[graini].at(arm);
+            lastU_[celli] = grains_.motion().motion(graini).at(arm);
         }
     }
     freeU_.correctBoundaryConditions();
+    lastU_.correctBoundaryConditions();
 }
 
 

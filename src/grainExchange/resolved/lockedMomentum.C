@@ -187,8 +187,12 @@ void Foam::lockedGrains::correctMotion
     cells_.makeRigid(freeU_, cellInertia_, U);
 
     // A face that comes to a grain takes its motion as fast as the fluid beside
-    // it follows its neighbours
+    // it follows its neighbours; others have it and go on with the grain
     const surfaceScalarField surface(cells_.surfaceFlux(U));
+    const surfaceScalarField before
+    (
+        flux.oldTime() - cells_.surfaceFlux(lastU_)
+    );
     const dimensionedScalar least("least", inertia_().dimensions(), VSMALL);
     const surfaceScalarField left
     (
@@ -197,7 +201,7 @@ void Foam::lockedGrains::correctMotion
     const surfaceScalarField stiffness(sqr(inertia_() + drag)*mobility_());
     rigidForce_ += cells_.withoutForce
     (
-        stiffness*(surface + left*(flux.oldTime() - surface) - flux),
+        stiffness*(surface + left*before - flux),
         stiffness
     );
 }

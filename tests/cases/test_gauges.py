@@ -98,6 +98,7 @@ BAD = {
     "outside": ("type liquidGauges; stations ((0.05 0 0.005) (7 0 0.005));", "(7 0 0.005)"),
     "thickness": ("type liquidGauges; stations ((0.05 0 0.005)); thickness -1;", "'thickness'"),
     "fraction": ("type refinementIndicator; fluidFraction 2;", "'fluidFraction'"),
+    "margin": ("type refinementIndicator; margin -1;", "'margin'"),
     "upper alpha": ("type refinementIndicator; upperAlpha 2;", "'upperAlpha'"),
     "no alpha": ("type refinementIndicator; alpha alpha.oil;", "value alpha.oil"),
     "number": ("type refinementIndicator; alpha 7;", "'alpha'"),

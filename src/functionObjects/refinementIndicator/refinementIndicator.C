@@ -8,6 +8,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "functionKeywords.H"
+#include "linear.H"
+#include "fvc.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace Foam
@@ -49,7 +51,7 @@ Foam::functionObjects::refinementIndicator::refinementIndicator
 bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    checkFunctionKeywords(dict, {"alpha", "upperAlpha", "fluidFraction", "result"});
+    checkFunctionKeywords(dict, {"alpha", "upperAlpha", "fluidFraction", "margin", "result"});
 
     const string aField("the name of a field of the solver, as alpha.water");
     alphaName_ =
@@ -80,6 +82,7 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
     (
         dict, "fluidFraction", dimless, 0.999, 0, 1
     );
+    margin_ = dictionaryInput::getLabelOrDefault(dict, "margin", 0, 0);
     result_.reset
     (
         new volScalarField
@@ -110,6 +113,10 @@ void Foam::functionObjects::refinementIndicator::update()
     {
         values = max(values, neg(eps->primitiveField() - fluidFraction_));
     }
+    if (const auto* locked = mesh_.cfindObject<volScalarField>("locked"))
+    {
+        values = max(values, locked->primitiveField());
+    }
     if (alphaName_ != none)
     {
         const scalarField& alpha =
@@ -121,6 +128,12 @@ void Foam::functionObjects::refinementIndicator::update()
         );
     }
     result_->correctBoundaryConditions();
+    for (label layer = 0; layer < margin_; ++layer)
+    {
+        const surfaceScalarField beside(linearInterpolate(result_()));
+        values = pos(fvc::surfaceSum(beside)().primitiveField() - SMALL);
+        result_->correctBoundaryConditions();
+    }
 }
 
 

@@ -22,6 +22,7 @@ LIBRARIES = (
     "vans",
     "grainThermal",
     "grainDroplets",
+    "dropletMotion",
     "grainFreeSurface",
     "grainRun",
     "functionObjects",

@@ -62,22 +62,31 @@ def times(case):
     return sorted(filter(number.fullmatch, folders), key=float)
 
 
-def read_mesh(case):
-    """PlanarMesh of constant/polyMesh; ValueError if no patch is of type empty."""
-    folder = Path(case) / "constant" / "polyMesh"
-    points = np.asarray(_standalone(folder / "points"))
-    faces = _standalone(folder / "faces")
+def _mesh_file(case, name, time):
+    """What <time>/polyMesh holds, or the last time before it or constant."""
+    before = [t for t in times(case) if time is not None and float(t) <= float(time)]
+    for folder in [*reversed(before), "constant"]:
+        path = Path(case) / folder / "polyMesh" / name
+        if path.exists() or path.with_name(f"{name}.gz").exists():
+            break
+    return _standalone(path)
+
+
+def read_mesh(case, time=None):
+    """PlanarMesh of a time, or of constant/polyMesh; ValueError if no patch is of type empty."""
+    points = np.asarray(_mesh_file(case, "points", time))
+    faces = _mesh_file(case, "faces", time)
     if isinstance(faces, tuple):  # binary: where each face begins, and the vertices of all
         start, vertices = faces
         faces = np.split(vertices, start[1:-1])
-    owner = np.asarray(_standalone(folder / "owner"))
+    owner = np.asarray(_mesh_file(case, "owner", time))
 
     empty_faces = []
-    for _, patch in _standalone(folder / "boundary"):
+    for _, patch in _mesh_file(case, "boundary", time):
         if patch["type"] == "empty":
             empty_faces += range(patch["startFace"], patch["startFace"] + patch["nFaces"])
     if not empty_faces:
-        raise ValueError(f"{folder}: no patch of type empty, the mesh is not two-dimensional")
+        raise ValueError(f"{case}: no patch of type empty, the mesh is not two-dimensional")
 
     across = _thin_axis(points[faces[empty_faces[0]]])
     axes = tuple(axis for axis in range(3) if axis != across)
@@ -306,6 +315,7 @@ def droplets(case, at, temperatures, n_columns=None, height=6.4):
     for ax in axes.ravel()[len(at) :]:
         ax.set_axis_off()
     for ax, time in zip(axes.ravel(), at, strict=False):
+        mesh = read_mesh(case, time)
         psi = read_field(case, time, "psi", len(mesh.polygons))
         draw_cells(ax, mesh, psi, lines=False, cmap="Greys", clim=(0, 1.5))
         grains = read_grains(case, time)

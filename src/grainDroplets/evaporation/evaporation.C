@@ -84,7 +84,11 @@ void Foam::evaporation::checkTemperature(const volScalarField& T) const
 {
     const scalar boiling = droplets_.properties().boilingTemperature;
     const scalar least = gMin(T.primitiveField());
-    if (least < (1 - 1e-9)*boiling)
+    // In cells that are not orthogonal the gas at the surface may be colder by a
+    // part of its range
+    constexpr scalar part = 1e-3;
+    const scalar range = gMax(T.primitiveField()) - least;
+    if (least < (1 - 1e-9)*boiling - part*range)
     {
         FatalIOErrorInFunction(droplets_.dict())
             << "Keyword 'boilingTemperature' of 'liquid' has the value "

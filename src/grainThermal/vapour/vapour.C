@@ -43,13 +43,15 @@ void Foam::vapour::checkShares
     const scalarField& psi
 ) const
 {
+    // As runs that go on may have it
+    constexpr scalar roundOff = 1e-9;
     const scalar least = min(psi), most = max(psi);
-    if (psi.size() && !(least >= 0 && most <= 1))
+    if (psi.size() && !(least >= -roundOff && most <= 1 + roundOff))
     {
         FatalErrorInFunction
             << "Keyword '" << keyword.c_str() << "' of the file "
             << psi_->field().objectPath() << " has the value "
-            << (least >= 0 ? most : least) << nl
+            << (least >= -roundOff ? most : least) << nl
             << "    allowed: 0 to 1 []" << exit(FatalError);
     }
 }

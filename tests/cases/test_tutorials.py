@@ -33,6 +33,23 @@ def tutorial(tmp_path, request):
     return path
 
 
+def test_digging_on_a_mesh_that_fits(tmp_path):
+    shutil.copytree(
+        ROOT / "tutorials",
+        tmp_path / "tutorials",
+        ignore=shutil.ignore_patterns("snapshots", "log.*", "bed_*"),
+    )
+    subprocess.run(
+        ["./Allrun", "-fitted", "-coarse", "-test"],
+        cwd=tmp_path / "tutorials/grainDropletFoam/digging",
+        env=os.environ | {"GRAINFOAM_PREPARED": "yes"},
+        check=True,
+    )
+    bed = tmp_path / "tutorials/grainDropletFoam/digging/bed_400_coarse_fitted"
+    assert (bed / "snapshots/droplet.png").exists()
+    assert "Mesh that follows the droplet" in (bed / "log.grainDropletFoam.0").read_text()
+
+
 def tell_the_methods_apart(sedimentation):
     with open(sedimentation / "volumeDefects.csv") as file:
         rows = {row["method"]: row for row in csv.DictReader(file)}

@@ -3,7 +3,10 @@
 """A disc of liquid that is held in a stream of gas, on a mesh that is fitted to it and cut out of
 one that is not: force, heat and vapour flow (results.csv).
 
-Usage: compare.py <cells in the diameter> [...] [-Re <number> ...]
+Usage: compare.py [-bed] <cells in the diameter> [...] [-Re <number> ...]
+
+With -bed grains that are held fill half of the gas, from a tenth of the radius off the droplet to
+4 radii from its centre.
 """
 
 import shutil
@@ -48,7 +51,22 @@ def case_of(name):
     return conftest.Case(path.resolve())
 
 
-def set_up(case, Re, B, cells, patch):
+def add_bed(case, place, d=2.2e-4, room=0.5):
+    """Grains that are held, in a hexagonal lattice around the droplet."""
+    a = d * np.sqrt(np.pi / (2 * np.sqrt(3) * (1 - room)))
+    n = int(5 * RADIUS / a)
+    i, j = np.meshgrid(np.arange(-n, n + 1), np.arange(-n, n + 1))
+    x = np.stack([a * (i + j % 2 / 2), a * np.sqrt(0.75) * j], axis=-1).reshape(-1, 2)
+    r = np.hypot(*x.T)
+    x = x[(r > 1.1 * RADIUS + d / 2) & (r < 4 * RADIUS)] + place
+    rest = np.broadcast_to((DEPTH / 2, d / 2), x.shape)
+    rows = np.column_stack([x, rest])
+    lines = [",".join(repr(float(v)) for v in row) for row in rows]
+    (case.path / "constant/grains.csv").write_text("\n".join(["x,y,z,radius", *lines, ""]))
+    replace(case, "constant/grainProperties", "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")
+
+
+def set_up(case, Re, B, cells, patch, bed, place=(0, 0)):
     """Gas and stream; the patch fields of the droplet, none if it is cut out."""
     nu = SPEED * 2 * RADIUS / Re
     kappa = GAS_RHO * GAS_CP * nu / PRANDTL
@@ -72,12 +90,14 @@ def set_up(case, Re, B, cells, patch):
     with_heat(
         case,
         T=hot,
-        grains=300,
+        grains=hot,
         patches=sides,
         fluid=f"Cp {GAS_CP}; kappa {kappa};",
         convection="linear",
     )
     make_gas(case, nu)
+    if bed:
+        add_bed(case, place)
     replace(case, "0/U", f"{WALLS}noSlip;\n    }}", stream)
     replace(case, "0/p_rgh", f"{WALLS}zeroGradient;\n    }}", fixed)
     replace(case, "0/U", "uniform (0 0 0);\n\nboundary", f"uniform ({SPEED} 0 0);\n\nboundary")
@@ -90,11 +110,11 @@ def set_up(case, Re, B, cells, patch):
     return latent, kappa, nu, dt
 
 
-def fitted(Re, B, cells):
-    case = case_of(f"fitted_{Re}_{B:g}_{cells}")
+def fitted(Re, B, cells, bed):
+    case = case_of(f"fitted_{Re}_{B:g}_{cells}" + "_bed" * bed)
     around = round(np.pi * cells / 4)
     ring(case, RADIUS, OUTER, around, round(1.6 * cells), 5)
-    latent, kappa, nu, _ = set_up(case, Re, B, cells, True)
+    latent, kappa, nu, _ = set_up(case, Re, B, cells, True, bed)
     case.run("grainThermalFoam", timeout=7200)
     return on_patch(case, latent, kappa, GAS_RHO * nu)
 
@@ -144,14 +164,14 @@ def centroid(polygon):
     )
 
 
-def cut(Re, B, cells, offset=(0.3, 0.1)):
+def cut(Re, B, cells, bed, offset=(0.3, 0.1)):
     """Beside the centre of cells."""
-    case = case_of(f"cut_{Re}_{B:g}_{cells}")
+    case = case_of(f"cut_{Re}_{B:g}_{cells}" + "_bed" * bed)
     h = 2 * RADIUS / cells
     across = round(1.8 * cells)
     annulus(case, across * h / 2, OUTER, across, round(1.5 * cells), "right", 4)
-    latent, _, _, dt = set_up(case, Re, B, cells, False)
     place = np.array(offset) * h
+    latent, _, _, dt = set_up(case, Re, B, cells, False, bed, place)
     with_droplets(
         case, [place], RADIUS, density=1e6 * DENSITY, latent=latent, entries="motion fixed;"
     )
@@ -164,6 +184,8 @@ def cut(Re, B, cells, offset=(0.3, 0.1)):
 
 def main(arguments):
     numbers = [1, 10, 30]
+    bed = "-bed" in arguments
+    arguments = [a for a in arguments if a != "-bed"]
     if "-Re" in arguments:
         at = arguments.index("-Re")
         numbers = [int(a) for a in arguments[at + 1 :]]
@@ -172,10 +194,10 @@ def main(arguments):
         for cells in map(int, arguments):
             for Re in numbers:
                 for B in (0, BLOWING[Re]):
-                    one = fitted(Re, B, cells)
-                    other = cut(Re, B, cells)
+                    one = fitted(Re, B, cells, bed)
+                    other = cut(Re, B, cells, bed)
                     ratios = [b / a for a, b in zip(one, other, strict=True)]
-                    row = [cells, Re, B, *one, *ratios]
+                    row = [cells, Re, B, int(bed), *one, *ratios]
                     line = ",".join(f"{value:.6g}" for value in row)
                     print(line, file=table, flush=True)
                     print(line, flush=True)

@@ -266,3 +266,16 @@ def test_heat_is_refused(clone):
 def test_two_fluids_are_refused(clone):
     case = water_box(clone, level(0.06), [(0.05, 0.05)], 0.012, cells=(40, 40))
     refused(choose(case), "grainInterFoam", "two fluids")
+
+
+def test_a_disc_that_lies_on_the_floor_passes_no_fluid_through_it(clone):
+    """Contacts let it overlap the floor by their tolerance."""
+    case = grain_box(clone, [(0.05, 0.0125 - 1e-7)], 0.0125, velocity=[(0.05, 0)])
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+    replace(case, GRAINS, "coupling\n{", "coupling\n{\n    resolvedGrains { type cutCells; }")
+    case.run("blockMesh")
+    control(case, endTime=0.02, deltaT=5e-4, writeInterval=40)
+    case.run("grainFoam")
+    assert case.grains()["position"][0, 1] == pytest.approx(0.0125, abs=1e-6)
+    assert ledger(case)["divergence"].max() <= 1e-9
+    assert np.abs(case.field("U")).max() < 0.2

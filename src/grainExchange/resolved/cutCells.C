@@ -128,5 +128,6 @@ void Foam::cutCells::update()
     setCells();
     setFaces();
     setWalls();
+    leavePatches();
     setConductance();
 }

@@ -302,6 +302,22 @@ void Foam::cutCells::setWalls()
 }
 
 
+void Foam::cutCells::leavePatches()
+{
+    List<part> kept(parts_.size());
+    label n = 0;
+    for (const part& x : parts_)
+    {
+        if (x.patch < 0 || mesh_.boundary()[x.patch].coupled())
+        {
+            kept[n++] = x;
+        }
+    }
+    kept.resize(n);
+    parts_.transfer(kept);
+}
+
+
 void Foam::cutCells::setConductance()
 {
     // Nearer, two centroids are as good as a quarter of the cells' distance apart

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What remeshDroplet keeps of a case, and what it refuses without a change."""
+
+import numpy as np
+import pytest
+from droplet_box import with_droplets
+from grain_box import control, make_cyclic, replace
+from moving_mesh import write
+from test_fittedMesh import (
+    HOT,
+    MOTION,
+    RADIUS,
+    SIDE,
+    falling,
+    middles,
+    move_droplet,
+    remesh,
+    small_box,
+    with_hot_droplet,
+)
+from test_parallel import decompose
+
+CENTRE = (4.03e-3, 4.11e-3)
+EDGES = 'boundaryField { ".*" { type zeroGradient; } frontAndBack { type empty; } }'
+
+
+def files(case):
+    found = (path for path in case.path.rglob("*") if path.is_file())
+    return {path: path.read_bytes() for path in found if not path.name.startswith("log.")}
+
+
+def refused(case, *reasons):
+    """Ends with the reasons, and no file that was there is another one."""
+    sizes = "cells 8; largest 5e-4;"
+    write(case, "system/remeshDropletDict", "dictionary", sizes)
+    before = files(case)
+    assert case.run("remeshDroplet", check=False) == 1
+    for reason in reasons:
+        assert reason in case.log
+    assert "printStack" not in case.log
+    after = files(case)
+    assert all(after[path] == content for path, content in before.items())
+
+
+def test_no_new_extremes(clone):
+    """T of two values: any slope that goes too far is beyond them."""
+    random = np.random.default_rng(2)
+    case = small_box(clone)
+    with_hot_droplet(case, CENTRE, T=random.choice([400.0, HOT], 256))
+    for centre in random.uniform(0.3 * SIDE, 0.7 * SIDE, (3, 2)):
+        move_droplet(case, centre)
+        remesh(case, 8, largest=3e-4)
+        T = case.field("T")
+        # 3 K were measured where slopes were limited from the cell's centre on
+        assert 400 - 1e-9 < T.min() and T.max() < HOT + 1e-9

@@ -54,3 +54,56 @@ def test_no_new_extremes(clone):
         T = case.field("T")
         # 3 K were measured where slopes were limited from the cell's centre on
         assert 400 - 1e-9 < T.min() and T.max() < HOT + 1e-9
+
+
+@pytest.mark.parametrize(
+    "inside, edges",
+    [
+        ("nonuniform List<scalar> 3(1 2 3)", EDGES),
+        ("uniform 1", "boundaryField { left { type zeroGradient; } }"),
+        ("uniform 1", EDGES.replace("zeroGradient", "noSuchType")),
+    ],
+    ids=["size", "patches", "type"],
+)
+def test_a_field_that_cannot_be_read_changes_nothing(clone, inside, edges):
+    """It comes after T, p_rgh and psi, whose size would be that of the new mesh."""
+    case = with_hot_droplet(small_box(clone), CENTRE)
+    text = f"dimensions [0 0 0 0 0 0 0]; internalField {inside}; {edges}"
+    write(case, "0/zeta", "volScalarField", text)
+    refused(case, "zeta")
+
+
+def test_tensors_are_carried(clone):
+    case = with_hot_droplet(small_box(clone), CENTRE)
+    values = "(1 2 3 4 5 6)" * 256
+    inside = f"internalField nonuniform List<symmTensor> 256({values})"
+    text = f"dimensions [0 0 0 0 0 0 0]; {inside}; {EDGES}"
+    write(case, "0/R", "volSymmTensorField", text)
+    remesh(case, 8)
+    assert "R: carried by fluid" in case.log
+    assert len(case.field("R", "0")) == len(case.mesh().polygons)
+
+
+def test_a_decomposed_case_is_to_be_reconstructed_first(clone):
+    """Its last time has grains and droplets, and no fields."""
+    case = falling(clone, "decomposed")
+    control(case, endTime=0.005)
+    decompose(case, 2)
+    case.parallel("grainDropletFoam", 2)
+    refused(case, "no field U", "reconstructPar")
+    case.run("reconstructPar")
+    remesh(case, 8)
+    control(case, endTime=0.006)
+    case.run("grainDropletFoam")
+
+
+def test_steps_of_second_order_begin_anew(clone):
+    """Volumes and velocities of the step before are those of the old cells."""
+    case = falling(clone, "backward")
+    replace(case, "system/fvSchemes", "Euler", "backward")
+    control(case, endTime=0.005)
+    case.run("grainDropletFoam")
+    assert (case.path / "0.005/V0").exists()
+    remesh(case, 8, largest=4e-4)
+    control(case, endTime=0.0075)
+    case.run("grainDropletFoam")

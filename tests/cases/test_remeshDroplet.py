@@ -73,6 +73,64 @@ def test_a_field_that_cannot_be_read_changes_nothing(clone, inside, edges):
     refused(case, "zeta")
 
 
+@pytest.mark.parametrize("height", [RADIUS, 1.01 * RADIUS])
+def test_a_droplet_on_a_wall_is_refused(clone, height):
+    case = with_hot_droplet(small_box(clone), (4e-3, height))
+    refused(case, "from the boundary of the mesh", "2.5e-05 m at least")
+
+
+def test_a_droplet_across_a_cyclic_side_is_refused(clone):
+    """gmsh ended the program by an exception of its own."""
+    refused(cyclic_case(clone, 2e-4), "from the boundary of the mesh")
+
+
+def cyclic_case(clone, x):
+    case = small_box(clone)
+    make_cyclic(case, ("left", "right"))
+    case.run("blockMesh")
+    with_hot_droplet(case, (x, 4e-3))
+    for name in ("T", "psi", "U", "p_rgh"):
+        path = case.path / "0" / name
+        text = path.read_text().replace('"left|right|bottom', '"bottom')
+        cyclic = '"left|right" { type cyclic; }'
+        head, name, tail = text.partition("boundaryField")
+        path.write_text(head + name + tail.replace("{", f"{{ {cyclic}", 1))
+    replace(case, "constant/grainProperties", "(left right bottom top)", "(bottom top)")
+    return case
+
+
+def test_faces_of_cyclic_sides_begin_opposite_each_other(clone):
+    case = cyclic_case(clone, 4e-3)
+    remesh(case, 8)
+    case.run("checkMesh")
+    assert "Mesh OK" in case.log
+
+
+def test_many_small_cells(clone):
+    """gmsh's front divides by zero there."""
+    case = with_hot_droplet(small_box(clone), (4e-3, 4e-3))
+    remesh(case, 1000, growth=1)
+    assert len(case.mesh().polygons) > 1e4
+
+
+def test_cells_stay_in_their_zones(clone):
+    case = small_box(clone)
+    half = f"box (0 0 -1) ({SIDE / 2} {SIDE} 1);"
+    actions = f"{{ name half; type cellZoneSet; action new; source boxToCell; {half} }}"
+    write(case, "system/topoSetDict", "dictionary", f"actions ({actions});")
+    case.run("topoSet")
+    with_hot_droplet(case, CENTRE)
+    remesh(case, 8)
+    write(
+        case,
+        "system/topoSetDict",
+        "dictionary",
+        "actions ({ name found; type cellSet; action new; source zoneToCell; zone half; });",
+    )
+    case.run("topoSet")
+    assert f"now size {(middles(case)[:, 0] < SIDE / 2).sum()}" in case.log
+
+
 def test_tensors_are_carried(clone):
     case = with_hot_droplet(small_box(clone), CENTRE)
     values = "(1 2 3 4 5 6)" * 256

@@ -12,7 +12,7 @@ Description
     A new mesh of triangles that fits the droplet of the last time of a plane case
     of grainDropletFoam, and all its fields there (doc/theory, eq. 10.22, 10.23).
 
-    Boundary faces stay as they are.  The mesh is
+    Boundary faces stay as they are, and zones of cells where they were.  The mesh is
     written to the time, that of the start to constant; fields are written in the
     place of what they were.  Fluxes and values of steps before are removed, as the
     solver makes them anew, and zones of faces and points, and sets.
@@ -137,6 +137,29 @@ triangulation::circle circleOf(const caseState& state)
 }
 
 
+// Fatal if the boundary is so near that cells between would be slivers
+void requireRoom
+(
+    const planarMesh& plane,
+    const planarOutline& outline,
+    const triangulation::circle& droplet,
+    const triangulation::sizes& size
+)
+{
+    constexpr scalar thinnest = 0.1;
+    const scalar room = outline.distance(droplet.centre) - droplet.radius;
+    if (room < thinnest*size.least)
+    {
+        FatalErrorInFunction
+            << "The droplet at " << plane.positionInSpace(droplet.centre)
+            << " of diameter " << 2*droplet.radius << " m is "
+            << max(room, scalar(0)) << " m from the boundary of the mesh" << nl
+            << "    allowed: " << thinnest*size.least << " m at least, "
+            << thinnest << " of a cell at its surface" << exit(FatalError);
+    }
+}
+
+
 // Outside of the droplet and of grains
 conservativeMap::openArea openAreas
 (
@@ -208,6 +231,7 @@ int main(int argc, char *argv[])
     const triangulation::circle hole(circleOf(old));
     const planarOutline outline(old.plane);
     const triangulation::sizes sizes(readSizes(mesh, hole.radius));
+    requireRoom(old.plane, outline, hole, sizes);
     const triangulation triangles(outline, hole, sizes);
     const bool isStart =
         runTime.value() <= 0 && mesh.facesInstance() == runTime.constant();

@@ -165,3 +165,23 @@ def test_steps_of_second_order_begin_anew(clone):
     remesh(case, 8, largest=4e-4)
     control(case, endTime=0.0075)
     case.run("grainDropletFoam")
+
+
+def test_droplets_are_needed_to_follow_them(clone):
+    case = with_hot_droplet(small_box(clone), CENTRE)
+    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 1e-3;"))
+    case.run("grainThermalFoam", check=False)
+    assert "'solver'" in case.log and "no droplets" in case.log
+    assert "printStack" not in case.log
+
+
+def test_no_new_mesh_is_asked_for_when_the_droplet_is_gone(clone):
+    """remeshDroplet would refuse to make one."""
+    case = with_hot_droplet(small_box(clone), CENTRE)
+    remesh(case, 8)
+    with_droplets(case, [], RADIUS)
+    entries = "reach 1e-3; maxNonOrtho 1;"
+    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries=entries))
+    control(case, endTime=1e-3, deltaT=5e-4, writeInterval=2)
+    case.run("grainDropletFoam")
+    assert "to go on after remeshDroplet" not in case.log

@@ -147,8 +147,15 @@ void Foam::dropletMotion::checkQuality()
 
 void Foam::dropletMotion::solve()
 {
-    checkQuality();
     points_ = mesh().points();
+    if (!mesh().foundObject<grainView>("droplets"))
+    {
+        dictionaryInput::badValue
+        (
+            *this, "solver", typeName,
+            "other motion solvers, as this program has no droplets"
+        );
+    }
     const grainView& droplets = mesh().lookupObject<grainView>("droplets");
     if (droplets.size() > 1)
     {
@@ -162,6 +169,7 @@ void Foam::dropletMotion::solve()
     {
         return;
     }
+    checkQuality();
 
     const point centre(droplets.centre(0));
     const scalar radius = droplets.radius(0);

@@ -185,3 +185,21 @@ def test_no_new_mesh_is_asked_for_when_the_droplet_is_gone(clone):
     control(case, endTime=1e-3, deltaT=5e-4, writeInterval=2)
     case.run("grainDropletFoam")
     assert "to go on after remeshDroplet" not in case.log
+
+
+def test_a_droplet_that_comes_to_a_wall_is_kept(clone):
+    """The run stops before cells are too thin, and goes on where the mesh stays."""
+    case = small_box(clone)
+    with_hot_droplet(case, (4e-3, 1.6e-3), velocity=[(0, -0.2)])
+    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 3e-3;"))
+    control(case, endTime=0.01, deltaT=2e-4, writeInterval=1000)
+    remesh(case, 8)
+    case.run("grainDropletFoam")
+    assert "to go on with a mesh that does not follow it" in case.log
+    assert len(case.times) == 2
+    # 343 K where it was followed to the wall
+    assert case.field("T").min() > 373.14
+    (case.path / "constant/dynamicMeshDict").unlink()
+    end = float(case.times[-1]) + 4e-4
+    control(case, endTime=f"{end:.4g}", writeInterval=1)
+    case.run("grainDropletFoam")

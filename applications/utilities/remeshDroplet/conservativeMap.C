@@ -65,6 +65,7 @@ Foam::conservativeMap::conservativeMap
           : 0;
     }
     balance(given, filled);
+    setMiddles();
 }
 
 
@@ -201,6 +202,22 @@ void Foam::conservativeMap::balance
 }
 
 
+void Foam::conservativeMap::setMiddles()
+{
+    middles_.assign(isOpen_.size(), point2(0, 0));
+    scalarField given(isOpen_.size(), Zero);
+    for (const piece& p : pieces_)
+    {
+        given[p.from] += p.volume;
+        middles_[p.from] += p.volume*p.centre;
+    }
+    forAll(given, i)
+    {
+        middles_[i] /= max(given[i], VSMALL);
+    }
+}
+
+
 Foam::scalarField Foam::conservativeMap::map
 (
     const scalarField& x,
@@ -211,13 +228,9 @@ Foam::scalarField Foam::conservativeMap::map
     std::vector<point2> slope;
     slopes(x, onPatches, slope);
 
-    // From the middle of an old cell's fluid, so that its content is kept
-    std::vector<point2> middle(x.size(), point2(0, 0));
-    scalarField given(x.size(), Zero), filled(nCells, Zero), area(nCells, Zero);
+    scalarField filled(nCells, Zero), area(nCells, Zero);
     for (const piece& p : pieces_)
     {
-        given[p.from] += p.volume;
-        middle[p.from] += p.volume*p.centre;
         filled[p.to] += p.volume;
         area[p.to] += p.area;
     }
@@ -235,7 +248,7 @@ Foam::scalarField Foam::conservativeMap::map
                 p.volume/filled[p.to]
                *(
                     x[p.from]
-                  + slope[p.from].dot(p.centre - middle[p.from]/given[p.from])
+                  + slope[p.from].dot(p.centre - middles_[p.from])
                 );
         }
     }

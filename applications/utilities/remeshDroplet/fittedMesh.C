@@ -9,6 +9,36 @@
 #include "emptyPolyPatch.H"
 #include "Time.H"
 
+namespace
+{
+
+using namespace Foam;
+
+// Cells are in the zones of what was at their centres
+void addZones(const planarMesh& old, fvMesh& mesh)
+{
+    const cellZoneMesh& oldZones = old.mesh().cellZones();
+    List<cellZone*> zones(oldZones.size());
+    for (const cellZone& zone : oldZones)
+    {
+        DynamicList<label> cells;
+        forAll(mesh.cellCentres(), celli)
+        {
+            const point& x = mesh.cellCentres()[celli];
+            if (zone.whichCell(old.findCell(old.toPlane(x))) >= 0)
+            {
+                cells.append(celli);
+            }
+        }
+        zones[zone.index()] =
+            zone.clone(cells, zone.index(), mesh.cellZones()).ptr();
+    }
+    mesh.addZones(List<pointZone*>(), List<faceZone*>(), zones);
+}
+
+}
+
+
 Foam::autoPtr<Foam::fvMesh> Foam::fittedMesh
 (
     const planarMesh& old,
@@ -62,10 +92,15 @@ Foam::autoPtr<Foam::fvMesh> Foam::fittedMesh
         dicts.set(i, new dictionary(IStringStream(entries.str())()));
         dicts[i].remove("nFaces");
         dicts[i].remove("startFace");
-        for (const labelPair& side : outline.sides()[i])
+        const List<labelPair>& sides = outline.sides()[i];
+        forAll(sides, k)
         {
-            const label a = side.first(), b = side.second();
-            faces[i].append(face({a, b, n + b, n + a}));
+            const label a = sides[k].first(), b = sides[k].second();
+            const label start = outline.starts()[i][k];
+            faces[i].append
+            (
+                rotateList(face({a, b, n + b, n + a}), -start)
+            );
         }
         if (isA<emptyPolyPatch>(patch) && patch.size())
         {
@@ -95,11 +130,21 @@ Foam::autoPtr<Foam::fvMesh> Foam::fittedMesh
         std::move(points), cells, faces, names, dicts,
         "unmatched", emptyPolyPatch::typeName
     );
+    // Made from cells, each begins at a point of theirs
+    faceList ordered(shapes.faces());
+    for (const polyPatch& patch : shapes.boundaryMesh())
+    {
+        forAll(patch, k)
+        {
+            face& f = ordered[patch.start() + k];
+            f = rotateList(f, -f.which(faces[patch.index()][k][0]));
+        }
+    }
     autoPtr<fvMesh> result
     (
         new fvMesh
         (
-            io, pointField(shapes.points()), faceList(shapes.faces()),
+            io, pointField(shapes.points()), std::move(ordered),
             labelList(shapes.faceOwner()), labelList(shapes.faceNeighbour())
         )
     );
@@ -110,6 +155,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::fittedMesh
             shapes.boundaryMesh()[i].clone(result().boundaryMesh()).ptr();
     }
     result().addFvPatches(copies);
+    addZones(old, result());
     result().setInstance(instance);
     return result;
 }

@@ -96,7 +96,7 @@ void Foam::conservativeMap::slopes
         }
     }
 
-    // Where a piece is
+    // Where a piece is, from the middle of its cell's fluid as the content is kept
     scalarField share(x.size(), 1);
     for (const piece& p : pieces_)
     {
@@ -106,7 +106,7 @@ void Foam::conservativeMap::slopes
         }
         const label i = p.from;
         const scalar change =
-            result[i].dot(p.centre - old_.toPlane(C[i]));
+            result[i].dot(p.centre - middles_[i]);
         const scalar room = change > 0 ? high[i] - x[i] : low[i] - x[i];
         if (mag(change) > mag(room))
         {

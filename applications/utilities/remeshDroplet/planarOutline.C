@@ -23,6 +23,7 @@ Foam::planarOutline::planarOutline(const planarMesh& plane)
 
     Map<label> next;
     sides_.resize(mesh.boundaryMesh().size());
+    starts_.resize(mesh.boundaryMesh().size());
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(patch))
@@ -44,6 +45,7 @@ Foam::planarOutline::planarOutline(const planarMesh& plane)
                     (
                         labelPair(indexOf(a), indexOf(b))
                     );
+                    starts_[patch.index()].append((f.size() - i) % f.size());
                     next.insert(indexOf(a), indexOf(b));
                 }
             }
@@ -65,4 +67,25 @@ Foam::planarOutline::planarOutline(const planarMesh& plane)
         loops.append(loop);
     }
     loops_.transfer(loops);
+}
+
+
+Foam::scalar Foam::planarOutline::distance(const planarMesh::point2& x) const
+{
+    scalar result = GREAT;
+    for (const List<labelPair>& sides : sides_)
+    {
+        for (const labelPair& side : sides)
+        {
+            const planarMesh::point2& a = points_[side.first()];
+            const planarMesh::point2 along(points_[side.second()] - a);
+            const scalar t = along.dot(x - a)/along.squaredNorm();
+            const planarMesh::point2 nearest
+            (
+                a + min(max(t, scalar(0)), scalar(1))*along
+            );
+            result = min(result, (x - nearest).norm());
+        }
+    }
+    return result;
 }

@@ -12,9 +12,10 @@ Description
     A new mesh of triangles that fits the droplet of the last time of a plane case
     of grainDropletFoam, and all its fields there (doc/theory, eq. 10.22, 10.23).
 
-    Boundary faces stay as they are.  The mesh is written to the time, that of the
-    start to constant; fields are written in the place of what they were, fluxes are
-    removed, as the solver makes them anew.
+    Boundary faces stay as they are, and zones of cells where they were.  The mesh is
+    written to the time, that of the start to constant; fields are written in the
+    place of what they were.  Fluxes and values of steps before are removed, as the
+    solver makes them anew, and zones of faces and points, and sets.
 
 Usage
     system/remeshDropletDict:
@@ -37,11 +38,11 @@ Usage
 
 #include "conservativeMap.H"
 #include "dictionaryInput.H"
-#include "directFvPatchFieldMapper.H"
 #include "fittedMesh.H"
-#include "IOobjectList.H"
+#include "incompleteTimes.H"
 #include "liquidDroplets.H"
 #include "overlap/disc/DiscPolygon.hpp"
+#include "timeFields.H"
 
 #include <memory>
 
@@ -86,55 +87,6 @@ struct caseState
         share(shares(grains, droplets))
     {}
 };
-
-
-// Fields of a type, written as those of the new mesh
-template<class Type>
-void mapFields
-(
-    const IOobjectList& objects,
-    const conservativeMap& map,
-    const caseState& old,
-    const caseState& fresh
-)
-{
-    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
-    const fvMesh& mesh = fresh.plane.mesh();
-    for (const word& name : objects.sortedNames(fieldType::typeName))
-    {
-        const fieldType x(*objects[name], old.plane.mesh());
-        const Field<Type> values(map.map(x, mesh.nCells()));
-        const IOobject io(name, mesh.time().timeName(), mesh);
-        const DimensionedField<Type, volMesh> inside
-        (
-            io, mesh, x.dimensions(), values
-        );
-
-        // Faces of patches are as they were
-        PtrList<fvPatchField<Type>> patches(mesh.boundary().size());
-        forAll(patches, patchi)
-        {
-            const labelList same(identity(mesh.boundary()[patchi].size()));
-            patches.set
-            (
-                patchi,
-                fvPatchField<Type>::New
-                (
-                    x.boundaryField()[patchi], mesh.boundary()[patchi], inside,
-                    directFvPatchFieldMapper(same)
-                )
-            );
-        }
-        const fieldType mapped(io, mesh, x.dimensions(), values, patches);
-        mapped.write();
-
-        const scalarField& V = old.plane.mesh().V();
-        const scalarField& freshV = mesh.V();
-        Info<< name << ": carried by fluid "
-            << gSum(old.share*V*x.primitiveField()) << " before, "
-            << gSum(fresh.share*freshV*values) << " after" << nl;
-    }
-}
 
 
 triangulation::sizes readSizes(const fvMesh& mesh, const scalar radius)
@@ -184,6 +136,28 @@ triangulation::circle circleOf(const caseState& state)
     };
 }
 
+
+// Fatal if the boundary is so near that cells between would be slivers
+void requireRoom
+(
+    const planarMesh& plane,
+    const planarOutline& outline,
+    const triangulation::circle& droplet,
+    const triangulation::sizes& size
+)
+{
+    constexpr scalar thinnest = 0.1;
+    const scalar room = outline.distance(droplet.centre) - droplet.radius;
+    if (room < thinnest*size.least)
+    {
+        FatalErrorInFunction
+            << "The droplet at " << plane.positionInSpace(droplet.centre)
+            << " of diameter " << 2*droplet.radius << " m is "
+            << max(room, scalar(0)) << " m from the boundary of the mesh" << nl
+            << "    allowed: " << thinnest*size.least << " m at least, "
+            << thinnest << " of a cell at its surface" << exit(FatalError);
+    }
+}
 
 
 // Outside of the droplet and of grains
@@ -235,6 +209,8 @@ int main(int argc, char *argv[])
     argList::addNote("A new mesh that fits the droplet, and all fields on it.");
     #include "setRootCase.H"
 
+    setAsideIncompleteTimes(args);
+
     // The last time, and it again for what is new
     Time runTime(Time::controlDictName, args);
     const instant last(runTime.times().last());
@@ -254,10 +230,9 @@ int main(int argc, char *argv[])
     const caseState old(mesh);
     const triangulation::circle hole(circleOf(old));
     const planarOutline outline(old.plane);
-    const triangulation triangles
-    (
-        outline, hole, readSizes(mesh, hole.radius)
-    );
+    const triangulation::sizes sizes(readSizes(mesh, hole.radius));
+    requireRoom(old.plane, outline, hole, sizes);
+    const triangulation triangles(outline, hole, sizes);
     const bool isStart =
         runTime.value() <= 0 && mesh.facesInstance() == runTime.constant();
     const autoPtr<fvMesh> freshMesh
@@ -268,6 +243,7 @@ int main(int argc, char *argv[])
             isStart ? runTime.constant() : runTime.timeName()
         )
     );
+    timeFields fields(mesh, freshMesh());
     const caseState fresh(freshMesh());
     const conservativeMap map
     (
@@ -277,14 +253,12 @@ int main(int argc, char *argv[])
         << "; share of the fluid that finds no place: " << map.defect()
         << ", gain of its volume " << map.gain() << nl;
 
-    const IOobjectList objects(mesh, runTime.timeName());
-    mapFields<scalar>(objects, map, old, fresh);
-    mapFields<vector>(objects, map, old, fresh);
-    for (const word& flux : objects.names(surfaceScalarField::typeName))
-    {
-        rm(objects[flux]->objectPath());
-    }
+    fields.map(map, old.share, fresh.share);
+
+    // From here on nothing fails for what the case has
+    fields.write();
     rm(mesh.time().timePath()/"uniform"/"dropletMotion");
+    freshMesh().removeFiles(freshMesh().facesInstance());
     freshMesh().write();
 
     Info<< nl << "End" << endl;

@@ -7,6 +7,7 @@
 
 #include "mathematicalConstants.H"
 #include "overlap/base/Types.hpp"
+#include "sigFpe.H"
 
 #include <gmsh.h>
 
@@ -106,6 +107,8 @@ Foam::triangulation::triangulation
     const sizes& size
 )
 {
+    // Its front divides by zero where sides are many
+    const sigFpe::ignore ignoreFpe;
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::model::add("droplet");
@@ -149,7 +152,18 @@ Foam::triangulation::triangulation
     geo::synchronize();
     setSizes(sides, size.growth, size.most/hole.radius);
     gmsh::option::setNumber("Mesh.Algorithm", 6);
-    gmsh::model::mesh::generate(2);
+    try
+    {
+        gmsh::model::mesh::generate(2);
+    }
+    catch (const std::string& reason)
+    {
+        FatalErrorInFunction
+            << "gmsh finds no triangles around the droplet of radius "
+            << hole.radius << " m: " << reason.c_str() << nl
+            << "    allowed: boundaries that cross neither themselves nor the"
+            << " droplet" << exit(FatalError);
+    }
 
     std::unordered_map<std::size_t, label> indices;
     for (std::size_t i = 0; i < corners.size(); ++i)

@@ -135,20 +135,48 @@ void Foam::dropletMotion::checkQuality()
         << " degrees, skewness " << skewness << endl;
     if (!stops_ && (nonOrtho > maxNonOrtho_ || skewness > maxSkewness_))
     {
-        stops_ = true;
         Info<< "    worse than the limits of constant/dynamicMeshDict, "
             << maxNonOrtho_ << " and " << maxSkewness_
             << ": the run stops after the next step, to go on after remeshDroplet"
             << endl;
-        const_cast<Time&>(mesh().time()).stopAt(Time::saWriteNow);
+        stop();
     }
+}
+
+
+void Foam::dropletMotion::checkRoom(const scalar reach, const scalar way)
+{
+    // Before it is too late: cells that a step compresses by more than an eighth do
+    // not keep temperatures within what there was
+    constexpr scalar steps = 10;
+    if (!stops_ && reach < steps*way)
+    {
+        Info<< "    The droplet is " << reach << " m from a patch, less than " << steps
+            << " steps like this one: the run stops after the next step, to go on"
+            << " with a mesh that does not follow it" << endl;
+        stop();
+    }
+}
+
+
+void Foam::dropletMotion::stop()
+{
+    stops_ = true;
+    const_cast<Time&>(mesh().time()).stopAt(Time::saWriteNow);
 }
 
 
 void Foam::dropletMotion::solve()
 {
-    checkQuality();
     points_ = mesh().points();
+    if (!mesh().foundObject<grainView>("droplets"))
+    {
+        dictionaryInput::badValue
+        (
+            *this, "solver", typeName,
+            "other motion solvers, as this program has no droplets"
+        );
+    }
     const grainView& droplets = mesh().lookupObject<grainView>("droplets");
     if (droplets.size() > 1)
     {
@@ -162,6 +190,7 @@ void Foam::dropletMotion::solve()
     {
         return;
     }
+    checkQuality();
 
     const point centre(droplets.centre(0));
     const scalar radius = droplets.radius(0);
@@ -173,6 +202,7 @@ void Foam::dropletMotion::solve()
     const scalar reach = min(reach_, patchDistanceOf(oldCentre) - oldRadius);
     const vector way(centre - oldCentre);
     const scalar growth = radius - oldRadius;
+    checkRoom(reach, mag(way) + mag(growth));
     if (reach < 2*(mag(way) + mag(growth)))
     {
         FatalErrorInFunction

@@ -21,7 +21,15 @@ from droplet_box import (
     open_top,
     with_droplets,
 )
-from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
+from grain_box import (
+    DEPTH,
+    control,
+    grain_box,
+    ledger,
+    open_ends,
+    replace,
+    run_whole_and_parts,
+)
 from heat_box import GRAIN_CP, heat_ledger, with_heat, with_psi
 from sphere_box import sphere_box
 from test_parallel import decompose
@@ -205,11 +213,7 @@ def falling(clone, name):
 
 def test_restart_and_ranks(clone):
     whole, parts = falling(clone, "whole"), falling(clone, "parts")
-    whole.run("grainDropletFoam")
-    control(parts, endTime=0.02)
-    parts.run("grainDropletFoam")
-    control(parts, endTime=0.04)
-    parts.run("grainDropletFoam")
+    run_whole_and_parts(whole, parts, "grainDropletFoam", 0.02, 0.04)
     for name in ("U", "T", "p_rgh"):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 

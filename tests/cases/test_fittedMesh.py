@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from droplet_box import GAS, make_gas, open_top, with_droplets
-from grain_box import DEPTH, control, grain_box, replace
+from grain_box import DEPTH, control, grain_box, replace, run_whole_and_parts
 from heat_box import write_T, with_heat, with_psi
 from moving_mesh import write
 from test_parallel import decompose
@@ -168,11 +168,7 @@ def falling(clone, name):
 
 def test_restart(clone):
     whole, parts = falling(clone, "whole"), falling(clone, "parts")
-    whole.run("grainDropletFoam")
-    control(parts, endTime=0.005)
-    parts.run("grainDropletFoam")
-    control(parts, endTime=0.01)
-    parts.run("grainDropletFoam")
+    run_whole_and_parts(whole, parts, "grainDropletFoam", 0.005, 0.01)
     for name in ("U", "T", "p_rgh"):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 

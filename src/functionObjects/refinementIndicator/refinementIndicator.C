@@ -8,8 +8,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryInput.H"
 #include "functionKeywords.H"
-#include "linear.H"
 #include "fvc.H"
+#include "linear.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace Foam

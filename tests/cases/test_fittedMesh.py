@@ -6,7 +6,7 @@ import grainplot
 import numpy as np
 import pytest
 from conftest import ROOT
-from droplet_box import GAS, make_gas, open_top, with_droplets
+from droplet_box import DENSITY, GAS, GAS_RHO, make_gas, open_top, with_droplets
 from grain_box import DEPTH, control, grain_box, replace, run_whole_and_parts
 from heat_box import write_T, with_heat, with_psi
 from moving_mesh import write
@@ -141,13 +141,21 @@ def test_a_droplet_falls_as_on_a_mesh_that_is_fixed(clone):
         found.append(books(case))
     fixed, fitted = found
     assert len(made) == 3
-    # 0.23 % and 3 % were measured
-    assert fitted["vy"][-1] == pytest.approx(fixed["vy"][-1], rel=5e-3)
+    # 0.03 %, 2 % and 3 % were measured
+    assert fitted["vy"][-1] == pytest.approx(fixed["vy"][-1], rel=2e-3)
+    force = [1 + books["vy"][-1] / (9.81 * books["time"][-1]) for books in found]
+    assert force[1] == pytest.approx(force[0], rel=0.05)
     assert abs(fitted["vx"][-1]) < 1e-3 * abs(fitted["vy"][-1])
     assert fitted["fromFluid"].sum() == pytest.approx(fixed["fromFluid"].sum(), rel=0.05)
-    # Cells do not change sides: jumps of the rate by a tenth, and more, on the fixed mesh
+    # Cells do not change sides: jumps of the rate by a tenth, and more, on the fixed mesh.  A
+    # mesh that is new has the heat of other cells at the surface.
     rate = fitted["fromFluid"] / np.diff(fitted["time"], prepend=0)
-    assert np.abs(np.diff(np.log(rate[10:]))).max() < 0.1
+    jumps = np.abs(np.diff(np.log(rate)))
+    print("force", force, "jumps", np.sort(jumps[10:])[-5:])
+    steps = np.cumsum([log.count("\nTime = ") for log in solved])[:-1]
+    anew = np.concatenate([steps - 1, steps])
+    assert np.delete(jumps, anew)[10:].max() < 0.05
+    assert jumps[anew].max() < 0.15
     # Digits of the log
     for log in made[1:]:
         assert carried(log, "T") < 1e-10
@@ -240,3 +248,45 @@ def test_bad_sizes_are_named(clone, entries, said):
     case.run("remeshDroplet", check=False)
     assert said in case.log
     assert "FATAL" in case.log and "printStack" not in case.log
+
+
+@pytest.mark.parametrize("kind, cells", [("fixed", 8), ("follows", 8), ("follows", 16)])
+def test_free_fall_carries_the_gas_in_its_place(clone, kind, cells):
+    """And no more of it from step to step, nearly without viscosity: where the pressure inside
+    the droplet leaked it was 1.9 to 5.6 times the gas in its place at the end."""
+    case = small_box(clone, height=2, cells=32)
+    with_hot_droplet(case, (4.03e-3, 12.5e-3), latent=1e14)
+    replace(case, "constant/transportProperties", "1.6e-05", "1.6e-07")
+    control(case, endTime=0.004, deltaT=2e-4, writeInterval=1000)
+    if kind == "follows":
+        text = MOTION.format(entries="reach 3e-3; maxNonOrtho 60;")
+        write(case, "constant/dynamicMeshDict", "dictionary", text)
+    remesh(case, cells, largest=3e-4)
+    case.run("grainDropletFoam")
+    table = books(case)
+    acceleration = np.diff(table["vy"]) / np.diff(table["time"])
+    added = (1 + acceleration / 9.81) * DENSITY / GAS_RHO - 1
+    print("added mass", added)
+    # 1.10 to 1.20 were measured; 1.05 is that of a disc in a channel of four diameters
+    assert added[:10].min() > 1
+    assert added[:10].max() < 1.25
+
+
+@pytest.mark.parametrize("kind", ["squares", "fixed", "follows"])
+def test_a_start_at_speed_costs_as_much_on_every_mesh(clone, kind):
+    """0.0029 to 0.0034 of the speed within twenty steps; it gained 0.005 and 0.015 on triangles."""
+    case = small_box(clone, height=2, cells=32)
+    with_hot_droplet(case, (4.03e-3, 8.03e-3), velocity=(0, -0.3))
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, endTime=0.004, deltaT=2e-4, writeInterval=1000)
+    if kind == "follows":
+        text = MOTION.format(entries="reach 3e-3; maxNonOrtho 60;")
+        write(case, "constant/dynamicMeshDict", "dictionary", text)
+    if kind != "squares":
+        remesh(case, 8, largest=4e-4)
+    case.run("grainDropletFoam")
+    table = books(case)
+    lost = 1 + table["vy"] / 0.3
+    print("lost", lost[-1], "aside", table["vx"][-1] / 0.3)
+    assert 0.0025 < lost[-1] < 0.004
+    assert abs(table["vx"][-1]) < 1e-3 * 0.3

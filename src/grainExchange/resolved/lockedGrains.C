@@ -10,7 +10,6 @@
 #include "gaussLaplacianScheme.H"
 #include "linear.H"
 #include "uncorrectedSnGrad.H"
-#include "warnOfShearedCells.H"
 
 Foam::lockedGrains::lockedGrains
 (
@@ -37,15 +36,12 @@ Foam::lockedGrains::lockedGrains
         mesh_,
         dimensionedScalar(dimForce/dimLength, Zero)
     )
-{
-    warnOfShearedCells(grains, fluid, from);
-}
+{}
 
 
-void Foam::lockedGrains::setFreeMotion()
+void Foam::lockedGrains::setFreeMotion(const scalarField& rho)
 {
     const scalar deltaT = mesh_.time().deltaTValue();
-    const scalarField rho(weight_.displaced());
 
     free_.resize(grains_.size());
     forAll(free_, graini)
@@ -82,13 +78,37 @@ void Foam::lockedGrains::setFreeMotion()
 }
 
 
+void Foam::lockedGrains::setFreeOfLast(const scalarField& rho)
+{
+    const volScalarField tangent
+    (
+        fvc::average(mag(mesh_.nonOrthCorrectionVectors()))
+    );
+    freeOfLast_ = cells_.meanOfCells<scalar>
+    (
+        tangent.primitiveField(), scalarField(mesh_.nCells(), 1)
+    );
+
+    forAll(freeOfLast_, graini)
+    {
+        const scalar heavier =
+            grains_.motion().isFixed() || !cells_.isResolved(graini)
+          ? 0
+          : max(grains_.motion().density(graini)/rho[graini] - 1, 0);
+        freeOfLast_[graini] *= heavier/(1 + heavier*freeOfLast_[graini]);
+    }
+}
+
+
 void Foam::lockedGrains::update()
 {
     cells_.update();
     ownForce_.clear();
     if (isActive())
     {
-        setFreeMotion();
+        const scalarField rho(weight_.displaced());
+        setFreeMotion(rho);
+        setFreeOfLast(rho);
         rigidForce_ == dimensionedScalar(rigidForce_.dimensions(), Zero);
     }
 }
@@ -137,6 +157,37 @@ void Foam::lockedGrains::addToMomentum
 }
 
 
+Foam::tmp<Foam::volVectorField> Foam::lockedGrains::onWholeGrains
+(
+    const volVectorField& force
+) const
+{
+    tmp<volVectorField> tresult(new volVectorField("force", force));
+    volVectorField& result = tresult.ref();
+
+    vectorField acceleration(mesh_.nCells(), Zero);
+    forAll(acceleration, celli)
+    {
+        if (cells_.grain(celli) >= 0)
+        {
+            acceleration[celli] = force[celli]/cellInertia_[celli];
+        }
+    }
+    const vectorField whole(cells_.meanOfCells(acceleration, cellInertia_));
+    forAll(acceleration, celli)
+    {
+        const label graini = cells_.grain(celli);
+        if (graini >= 0)
+        {
+            result[celli] +=
+                freeOfLast_[graini]*cellInertia_[celli]
+               *(whole[graini] - acceleration[celli]);
+        }
+    }
+    return tresult;
+}
+
+
 void Foam::lockedGrains::predict
 (
     fvVectorMatrix& UEqn,
@@ -165,6 +216,6 @@ void Foam::lockedGrains::predict
         laplacian.fvmLaplacian(stiff, UEqn.psi())
       - laplacian.fvcLaplacian(stiff, freeU_)
     );
-    solve(UEqn - rigidity == -pressureForce);
+    solve(UEqn - rigidity == -onWholeGrains(pressureForce));
     UEqn -= (rigidity & UEqn.psi());
 }

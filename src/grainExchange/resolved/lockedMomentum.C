@@ -187,7 +187,9 @@ void Foam::lockedGrains::correctMotion
     cells_.makeRigid(freeU_, cellInertia_, U);
 
     // A face that comes to a grain takes its motion as fast as the fluid beside
-    // it follows its neighbours; others have it and go on with the grain
+    // it follows its neighbours; others have it and go on with the grain.  What
+    // holds a face back is a pressure in the grain, which pushes the fluid aside
+    // where faces are not across the line of their cells.
     const surfaceScalarField surface(cells_.surfaceFlux(U));
     const surfaceScalarField before
     (
@@ -196,7 +198,12 @@ void Foam::lockedGrains::correctMotion
     const dimensionedScalar least("least", inertia_().dimensions(), VSMALL);
     const surfaceScalarField left
     (
-        inertia_()/max(inertia_() + hold_(), least)
+        inertia_()
+       /max
+        (
+            inertia_() + hold_() + mag(mesh_.nonOrthCorrectionVectors())*drag,
+            least
+        )
     );
     const surfaceScalarField stiffness(sqr(inertia_() + drag)*mobility_());
     rigidForce_ += cells_.withoutForce

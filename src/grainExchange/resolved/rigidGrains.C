@@ -30,22 +30,23 @@ void Foam::resolvedGrains::forGrainFaces(const Function& f) const
 }
 
 
-Foam::vectorField Foam::resolvedGrains::meanOfCells
+template<class Type>
+Foam::Field<Type> Foam::resolvedGrains::meanOfCells
 (
-    const volVectorField& U,
+    const Field<Type>& values,
     const scalarField& weight
 ) const
 {
     const scalarField& V = mesh_.V();
     scalarField volume(grains_.size(), Zero);
-    vectorField sum(grains_.size(), Zero);
+    Field<Type> sum(grains_.size(), Zero);
     forAll(V, celli)
     {
         const label graini = grain(celli);
         if (graini >= 0)
         {
             volume[graini] += weight[celli]*V[celli];
-            sum[graini] += weight[celli]*V[celli]*U[celli];
+            sum[graini] += weight[celli]*V[celli]*values[celli];
         }
     }
     sumOverRanks(volume);
@@ -53,6 +54,18 @@ Foam::vectorField Foam::resolvedGrains::meanOfCells
 
     return sum/max(volume, VSMALL);
 }
+
+template Foam::scalarField Foam::resolvedGrains::meanOfCells
+(
+    const scalarField&,
+    const scalarField&
+) const;
+
+template Foam::vectorField Foam::resolvedGrains::meanOfCells
+(
+    const vectorField&,
+    const scalarField&
+) const;
 
 
 void Foam::resolvedGrains::makeRigid
@@ -62,7 +75,10 @@ void Foam::resolvedGrains::makeRigid
     volVectorField& U
 ) const
 {
-    const vectorField change(meanOfCells(U - freeU, inertia));
+    const vectorField change
+    (
+        meanOfCells<vector>(U.primitiveField() - freeU.primitiveField(), inertia)
+    );
     forAll(U, celli)
     {
         const label graini = grain(celli);

@@ -158,6 +158,31 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::surfaceFlux
 }
 
 
+void Foam::resolvedGrains::setSurfaceFlux
+(
+    const volVectorField& U,
+    surfaceScalarField& flux
+) const
+{
+    const surfaceScalarField surface(surfaceFlux(U));
+    forGrainFaces
+    (
+        [&]
+        (
+            const side&,
+            const side&,
+            const label,
+            const label patchi,
+            const label facei
+        )
+        {
+            resolvedFace::at(flux, patchi, facei) =
+                resolvedFace::at(surface, patchi, facei);
+        }
+    );
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::bodyFlux
 (
     const volVectorField& U

@@ -43,15 +43,16 @@ void Foam::vapour::checkShares
     const scalarField& psi
 ) const
 {
-    // As runs that go on may have it
-    constexpr scalar roundOff = 1e-9;
+    // As runs that go on may have it: diffusion between cells that are not
+    // orthogonal has no bounds
+    constexpr scalar beyond = 1e-3;
     const scalar least = min(psi), most = max(psi);
-    if (psi.size() && !(least >= -roundOff && most <= 1 + roundOff))
+    if (psi.size() && !(least >= -beyond && most <= 1 + beyond))
     {
         FatalErrorInFunction
             << "Keyword '" << keyword.c_str() << "' of the file "
             << psi_->field().objectPath() << " has the value "
-            << (least >= -roundOff ? most : least) << nl
+            << (least >= -beyond ? most : least) << nl
             << "    allowed: 0 to 1 []" << exit(FatalError);
     }
 }

@@ -71,6 +71,7 @@ Foam::vansFlow::vansFlow
     ),
     pRefCell_(0),
     pRefValue_(0),
+    areFluxesOfU_(!fields.areOfStep),
     gradP_
     (
         IOobject("gradP", mesh_.time().timeName(), mesh_),
@@ -98,6 +99,12 @@ void Foam::vansFlow::setHeight()
 void Foam::vansFlow::startStep()
 {
     fields_.phi.oldTime();
+    if (areFluxesOfU_)
+    {
+        resolved_.setSurfaceFlux(fields_.phi.oldTime());
+        resolved_.setSurfaceFlux(fields_.phiU.oldTime());
+        areFluxesOfU_ = false;
+    }
     step_.reset
     (
         new stepCoefficients

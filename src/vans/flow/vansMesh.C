@@ -63,6 +63,7 @@ void Foam::vansFlow::meshChanged()
     {
         fields_.phiU.oldTime() = fvc::flux(fields_.U);
         fields_.phi.oldTime() = fvc::flux(fields_.U);
+        areFluxesOfU_ = true;
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
     }
     else

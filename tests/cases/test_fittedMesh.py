@@ -276,7 +276,7 @@ def test_free_fall_carries_the_gas_in_its_place(clone, kind, cells):
 
 @pytest.mark.parametrize("kind", ["squares", "fixed", "follows"])
 def test_a_start_at_speed_costs_as_much_on_every_mesh(clone, kind):
-    """0.0029 to 0.0034 of the speed within twenty steps; it gained 0.005 and 0.015 on triangles."""
+    """0.0031 to 0.0033 of the speed within twenty steps; it gained 0.005 and 0.015 on triangles."""
     case = small_box(clone, height=2, cells=32)
     with_hot_droplet(case, (4.03e-3, 8.03e-3), velocity=(0, -0.3))
     replace(case, "constant/g", "-9.81", "0")
@@ -290,5 +290,5 @@ def test_a_start_at_speed_costs_as_much_on_every_mesh(clone, kind):
     table = books(case)
     lost = 1 + table["vy"] / 0.3
     print("lost", lost[-1], "aside", table["vx"][-1] / 0.3)
-    assert 0.0025 < lost[-1] < 0.004
+    assert 0.0029 < lost[-1] < 0.0035
     assert abs(table["vx"][-1]) < 1e-3 * 0.3

@@ -81,7 +81,7 @@ def drag(clone, name, gas, droplet, dt, cells=32):
     replace(case, "constant/g", "-9.81", "0")
     remove_walls(case)
     with_droplets(case, [(0.051, 0.052)], 0.0125, velocity=[(droplet, 0)], density=5e3)
-    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     6")
     control(case, endTime=50 * dt, deltaT=dt, writeInterval=1000)
     case.run("grainDropletFoam")
     return droplet_table(case)["fx"][10:]
@@ -89,7 +89,7 @@ def drag(clone, name, gas, droplet, dt, cells=32):
 
 def test_drag_in_a_frame_that_moves(clone):
     """Gas that passes a droplet, and a droplet that moves by a fifth of a cell in a step through
-    gas: the same force, which does not jump."""
+    gas: the same force, which does not jump; 0.991 was measured, 0.978 with four correctors."""
     dt, h = 1e-3, 0.1 / 32
     speed = 0.2 * h / dt
     passes = drag(clone, "passes", speed, 0, dt)

@@ -62,6 +62,11 @@ def droplet_table(case):
     return case.table("postProcessing/droplets/0/droplets.csv")
 
 
+def force_in_fall(table, speed):
+    """Mean force of the gas on a droplet that falls from rest, over its weight."""
+    return 1 + table[speed][-1] / (9.81 * table["time"][-1])
+
+
 def annulus(case, core, outer, cells, rings, right="outer", grading=1.0):
     """A mesh of squares around the origin, of half width 'core' and 'cells' across, between
     them and a circle of radius 'outer' 'rings' of cells, the outermost 'grading' times as thick;

@@ -6,7 +6,15 @@ import grainplot
 import numpy as np
 import pytest
 from conftest import ROOT
-from droplet_box import DENSITY, GAS, GAS_RHO, make_gas, open_top, with_droplets
+from droplet_box import (
+    DENSITY,
+    GAS,
+    GAS_RHO,
+    force_in_fall,
+    make_gas,
+    open_top,
+    with_droplets,
+)
 from grain_box import DEPTH, control, grain_box, replace, run_whole_and_parts
 from heat_box import write_T, with_heat, with_psi
 from moving_mesh import write
@@ -33,6 +41,10 @@ def small_box(clone, height=1, cells=16, grains=(), name=None):
     (case.path / "system/blockMeshDict").write_text(text)
     case.run("blockMesh")
     return case
+
+
+def let_mesh_follow(case, entries):
+    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries=entries))
 
 
 def remesh(case, cells, largest=1e-3, growth=0.2):
@@ -134,7 +146,7 @@ def test_a_droplet_falls_as_on_a_mesh_that_is_fixed(clone):
         control(case, endTime=0.028, deltaT=2e-4, writeInterval=1000)
         if fits:
             entries = "reach 3e-3; maxNonOrtho 40;"
-            write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries=entries))
+            let_mesh_follow(case, entries)
             solved, made = follow(case)
         else:
             case.run("grainDropletFoam")
@@ -143,7 +155,7 @@ def test_a_droplet_falls_as_on_a_mesh_that_is_fixed(clone):
     assert len(made) == 3
     # 0.03 %, 2 % and 3 % were measured
     assert fitted["vy"][-1] == pytest.approx(fixed["vy"][-1], rel=2e-3)
-    force = [1 + books["vy"][-1] / (9.81 * books["time"][-1]) for books in found]
+    force = [force_in_fall(table, "vy") for table in found]
     assert force[1] == pytest.approx(force[0], rel=0.05)
     assert abs(fitted["vx"][-1]) < 1e-3 * abs(fitted["vy"][-1])
     assert fitted["fromFluid"].sum() == pytest.approx(fixed["fromFluid"].sum(), rel=0.05)
@@ -168,7 +180,7 @@ def falling(clone, name):
     """For twenty steps, on a mesh that fits."""
     case = small_box(clone, height=2, name=name)
     with_hot_droplet(case, (4.03e-3, 8.03e-3))
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 3e-3;"))
+    let_mesh_follow(case, "reach 3e-3;")
     control(case, endTime=0.01, deltaT=5e-4, writeInterval=10, writeFormat="binary")
     remesh(case, 8, largest=4e-4)
     return case
@@ -217,7 +229,7 @@ BAD_MOTION = {
 @pytest.mark.parametrize("entries, said", BAD_MOTION.values(), ids=BAD_MOTION)
 def test_bad_entries_of_the_motion_are_named(clone, entries, said):
     case = with_hot_droplet(small_box(clone), (4e-3, 4e-3))
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries=entries))
+    let_mesh_follow(case, entries)
     case.run("grainDropletFoam", check=False)
     assert said in case.log
     assert "Time = " not in case.log
@@ -225,7 +237,7 @@ def test_bad_entries_of_the_motion_are_named(clone, entries, said):
 
 def test_a_mesh_follows_one_droplet_only(clone):
     case = with_hot_droplet(small_box(clone), (4e-3, 4e-3))
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 1e-3;"))
+    let_mesh_follow(case, "reach 1e-3;")
     with_droplets(case, [(2e-3, 2e-3), (6e-3, 6e-3)], RADIUS)
     case.run("grainDropletFoam", check=False)
     assert "there are 2 droplets" in case.log
@@ -259,8 +271,7 @@ def test_free_fall_carries_the_gas_in_its_place(clone, kind, cells):
     replace(case, "constant/transportProperties", "1.6e-05", "1.6e-07")
     control(case, endTime=0.004, deltaT=2e-4, writeInterval=1000)
     if kind == "follows":
-        text = MOTION.format(entries="reach 3e-3; maxNonOrtho 60;")
-        write(case, "constant/dynamicMeshDict", "dictionary", text)
+        let_mesh_follow(case, "reach 3e-3; maxNonOrtho 60;")
     remesh(case, cells, largest=3e-4)
     case.run("grainDropletFoam")
     table = books(case)
@@ -282,8 +293,7 @@ def test_a_start_at_speed_costs_as_much_on_every_mesh(clone, kind):
     replace(case, "constant/g", "-9.81", "0")
     control(case, endTime=0.004, deltaT=2e-4, writeInterval=1000)
     if kind == "follows":
-        text = MOTION.format(entries="reach 3e-3; maxNonOrtho 60;")
-        write(case, "constant/dynamicMeshDict", "dictionary", text)
+        let_mesh_follow(case, "reach 3e-3; maxNonOrtho 60;")
     if kind != "squares":
         remesh(case, 8, largest=4e-4)
     case.run("grainDropletFoam")

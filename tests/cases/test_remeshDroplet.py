@@ -9,10 +9,10 @@ from grain_box import control, make_cyclic, replace
 from moving_mesh import write
 from test_fittedMesh import (
     HOT,
-    MOTION,
     RADIUS,
     SIDE,
     falling,
+    let_mesh_follow,
     middles,
     move_droplet,
     remesh,
@@ -169,7 +169,7 @@ def test_steps_of_second_order_begin_anew(clone):
 
 def test_droplets_are_needed_to_follow_them(clone):
     case = with_hot_droplet(small_box(clone), CENTRE)
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 1e-3;"))
+    let_mesh_follow(case, "reach 1e-3;")
     case.run("grainThermalFoam", check=False)
     assert "'solver'" in case.log and "no droplets" in case.log
     assert "printStack" not in case.log
@@ -181,7 +181,7 @@ def test_no_new_mesh_is_asked_for_when_the_droplet_is_gone(clone):
     remesh(case, 8)
     with_droplets(case, [], RADIUS)
     entries = "reach 1e-3; maxNonOrtho 1;"
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries=entries))
+    let_mesh_follow(case, entries)
     control(case, endTime=1e-3, deltaT=5e-4, writeInterval=2)
     case.run("grainDropletFoam")
     assert "to go on after remeshDroplet" not in case.log
@@ -191,7 +191,7 @@ def test_a_droplet_that_comes_to_a_wall_is_kept(clone):
     """The run stops before cells are too thin, and goes on where the mesh stays."""
     case = small_box(clone)
     with_hot_droplet(case, (4e-3, 1.6e-3), velocity=[(0, -0.2)])
-    write(case, "constant/dynamicMeshDict", "dictionary", MOTION.format(entries="reach 3e-3;"))
+    let_mesh_follow(case, "reach 3e-3;")
     control(case, endTime=0.01, deltaT=2e-4, writeInterval=1000)
     remesh(case, 8)
     case.run("grainDropletFoam")

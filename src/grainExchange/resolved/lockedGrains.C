@@ -92,9 +92,9 @@ void Foam::lockedGrains::setFreeOfLast(const scalarField& rho)
     forAll(freeOfLast_, graini)
     {
         const scalar heavier =
-            grains_.motion().isFixed() || !cells_.isResolved(graini)
-          ? 0
-          : max(grains_.motion().density(graini)/rho[graini] - 1, 0);
+            cells_.isResolved(graini)
+          ? max(grains_.motion().density(graini)/rho[graini] - 1, 0)
+          : 0;
         freeOfLast_[graini] *= heavier/(1 + heavier*freeOfLast_[graini]);
     }
 }
@@ -108,7 +108,10 @@ void Foam::lockedGrains::update()
     {
         const scalarField rho(weight_.displaced());
         setFreeMotion(rho);
-        setFreeOfLast(rho);
+        if (!grains_.motion().isFixed())
+        {
+            setFreeOfLast(rho);
+        }
         rigidForce_ == dimensionedScalar(rigidForce_.dimensions(), Zero);
     }
 }
@@ -162,6 +165,10 @@ Foam::tmp<Foam::volVectorField> Foam::lockedGrains::onWholeGrains
     const volVectorField& force
 ) const
 {
+    if (grains_.motion().isFixed())
+    {
+        return force;
+    }
     tmp<volVectorField> tresult(new volVectorField("force", force));
     volVectorField& result = tresult.ref();
 

@@ -102,19 +102,17 @@ Foam::vector Foam::resolvedGrains::memberArm(const side& inGrain) const
 
 
 template<class Arm>
-Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::fluxOf
+void Foam::resolvedGrains::setFlux
 (
     const volVectorField& U,
-    const Arm& armOf
+    const Arm& armOf,
+    surfaceScalarField& result
 ) const
 {
-    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
     if (!isActive_)
     {
-        return tresult;
+        return;
     }
-    surfaceScalarField& result = tresult.ref();
-
     const vectorField translation(meanOfCells(U, scalarField(mesh_.nCells(), 1)));
     forGrainFaces
     (
@@ -145,16 +143,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::fluxOf
                 );
         }
     );
-    return tresult;
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::surfaceFlux
-(
-    const volVectorField& U
-) const
-{
-    return fluxOf(U, [&](const side& inGrain) { return memberArm(inGrain); });
 }
 
 
@@ -164,22 +152,18 @@ void Foam::resolvedGrains::setSurfaceFlux
     surfaceScalarField& flux
 ) const
 {
-    const surfaceScalarField surface(surfaceFlux(U));
-    forGrainFaces
-    (
-        [&]
-        (
-            const side&,
-            const side&,
-            const label,
-            const label patchi,
-            const label facei
-        )
-        {
-            resolvedFace::at(flux, patchi, facei) =
-                resolvedFace::at(surface, patchi, facei);
-        }
-    );
+    setFlux(U, [&](const side& inGrain) { return memberArm(inGrain); }, flux);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::surfaceFlux
+(
+    const volVectorField& U
+) const
+{
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
+    setSurfaceFlux(U, tresult.ref());
+    return tresult;
 }
 
 
@@ -188,7 +172,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::bodyFlux
     const volVectorField& U
 ) const
 {
-    return fluxOf
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
+    setFlux
     (
         U,
         [&](const side& inGrain)
@@ -197,8 +182,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::bodyFlux
             (
                 grains_.centres()[label(inGrain.grain)], inGrain.x
             );
-        }
+        },
+        tresult.ref()
     );
+    return tresult;
 }
 
 

@@ -193,6 +193,13 @@ def test_restart(clone):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 
 
+def test_the_end_is_written_whenever_the_mesh_was_made(clone):
+    case = falling(clone, "whole")
+    control(case, endTime=0.0015, writeInterval=2)
+    case.run("grainDropletFoam")
+    assert case.times == ["0", "0.001", "0.0015"]
+
+
 @pytest.mark.parallel
 def test_two_ranks_follow_as_one(clone):
     found = []

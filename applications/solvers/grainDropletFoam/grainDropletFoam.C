@@ -144,11 +144,15 @@ int main(int argc, char *argv[])
         grains.checkLost();
         droplets.checkLost();
 
-        if (runTime.writeTime())
+        // Write times count from the last new mesh: the end need not be one
+        const bool ends =
+            runTime.value()
+         >= runTime.endTime().value() - 0.5*runTime.deltaTValue();
+        if (runTime.writeTime() || (mesh.dynamic() && ends))
         {
             grains.motion().beginWrite();
             droplets.system().motion().beginWrite();
-            runTime.write();
+            runTime.writeNow();
             droplets.system().motion().endWrite();
             grains.motion().endWrite();
         }

@@ -153,7 +153,7 @@ void Foam::dropletMotion::checkRoom(const scalar reach, const scalar way)
     {
         Info<< "    The droplet is " << reach << " m from a patch, less than " << steps
             << " steps like this one: the run stops after the next step, to go on"
-            << " with a mesh that does not follow it" << endl;
+            << " with shorter steps, or with a mesh that does not follow it" << endl;
         stop();
     }
 }

@@ -18,12 +18,32 @@ namespace
 /// not, so that the processor can work on several at once.
 constexpr std::size_t streams = 4;
 
+/// Finding and measuring a pair of a grain and a wall, over that of two grains.
+constexpr double workOfWall = 8;
+
 double mean(const std::vector<double>& values)
 {
     return values.empty() ? 1.0 : std::accumulate(values.begin(), values.end(), 0.0) / values.size();
 }
 
 }  // namespace
+
+std::vector<int> deal(const std::vector<double>& work, int ranks)
+{
+    const double all = std::accumulate(work.begin(), work.end(), 0.0);
+    if (all == 0)
+    {
+        return deal(std::vector<double>(work.size(), 1.0), ranks);
+    }
+    std::vector<int> rank;
+    double before = 0;
+    for (const double w : work)
+    {
+        rank.push_back(std::min(ranks - 1, static_cast<int>((before + w / 2) / all * ranks)));
+        before += w;
+    }
+    return rank;
+}
 
 template <int D>
 Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, const Orientations<D>& orientations,
@@ -43,6 +63,7 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
     const Neighbours<D> neighbours(x, radii, watch.skin, watch.period);
     const int grainBlocks = static_cast<int>(memberBegin_.size()) - 1;
     std::vector<std::vector<Pair>> found(grainBlocks + 1);
+    work_.assign(grainBlocks, 0);
     const bool periodic = *std::max_element(watch.period.begin(), watch.period.end()) > 0;
     const auto isListed = [periodic](const std::vector<Pair>& pairs, int i, int j)   // by another image
     {
@@ -76,10 +97,15 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
         }
         for (int other = block; other <= grainBlocks; ++other)
         {
+            for (const Pair& pair : found[other])
+            {
+                work_[block] += pair.second < 0 ? workOfWall : 1;
+            }
             append(block, other, found[other]);
             found[other].clear();
         }
     }
+    communicator.sum(work_);
 }
 
 template <int D>
@@ -130,21 +156,20 @@ void Candidates<D>::sort(const Watch<D>& watch, const Vectors<D>& members, const
     {
         wallBody_.push_back(body < 0 ? fixedBody_ : n + body);
     }
-    dealBlocks(watch.blocks, watch.freeBodies > 0, communicator.size());
+    dealBlocks(watch, communicator.size());
 }
 
 template <int D>
-void Candidates<D>::dealBlocks(int blocks, bool wallBlock, int ranks)
+void Candidates<D>::dealBlocks(const Watch<D>& watch, int ranks)
 {
+    blockRank_ = deal(watch.work.empty() ? std::vector<double>(watch.blocks, 1.0) : watch.work, ranks);
     rankBegin_.assign(ranks + 1, fixedBody_);
-    blockRank_.resize(blocks);
-    for (int b = blocks - 1; b >= 0; --b)
+    for (int b = watch.blocks - 1; b >= 0; --b)
     {
-        blockRank_[b] = static_cast<int>(static_cast<std::int64_t>(b) * ranks / blocks);
         std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[b] + 1, grainBegin_[b]);
     }
     std::fill(rankBegin_.begin(), rankBegin_.begin() + blockRank_[0] + 1, 0);
-    if (wallBlock)
+    if (watch.freeBodies > 0)
     {
         blockRank_.push_back(blockRank_.back());
     }

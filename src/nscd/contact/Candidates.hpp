@@ -35,11 +35,17 @@ struct Watch
     double skin;                              ///< [m]
     int blocks;
     std::array<double, 3> period;             ///< [m], 0 where not periodic
+    const std::vector<double>& work;          ///< of each block in the list before; empty for none
 };
+
+/// Rank of each block: ranks in turn have blocks that follow each other, by equal shares of the work to a block's half.
+/// Without any work they have equal numbers of blocks.
+std::vector<int> deal(const std::vector<double>& work, int ranks);
 
 /// The grains cut into spatial blocks and sorted for locality, and the pairs of members that are worth watching: those
 /// nearer than the skin at the positions the list was made for.  A function of these positions, the radii and the
-/// skin alone.  Blocks are dealt to the ranks; a rank lists the pairs whose lower block is its own.
+/// skin alone.  Blocks are dealt to the ranks so that these have equal shares of the work; a rank lists the pairs whose
+/// lower block is its own.
 template <int D>
 class Candidates
 {
@@ -84,6 +90,9 @@ public:
     int blocks() const { return static_cast<int>(blockRank_.size()); }
     int rankOf(int block) const { return blockRank_[block]; }
 
+    /// Work that the pairs of each block of grains are, in pairs of two grains; all ranks.
+    const std::vector<double>& work() const { return work_; }
+
     /// This rank's groups: of each of its blocks the block itself, then its pairs with higher blocks.
     const std::vector<Group>& groups() const { return groups_; }
     const std::vector<Pair>& pairs() const { return pairs_; }
@@ -91,7 +100,7 @@ public:
 private:
     void sort(const Watch<D>& watch, const Vectors<D>& members, const Vectors<D>& grains,
               const Communicator& communicator);
-    void dealBlocks(int blocks, bool wallBlock, int ranks);
+    void dealBlocks(const Watch<D>& watch, int ranks);
     void append(int first, int second, const std::vector<Pair>& pairs);
 
     double skin_ = 0;
@@ -101,6 +110,7 @@ private:
     std::vector<int> blockOf_;   ///< of members, by place
     std::vector<int> grainBegin_, memberBegin_, blockRank_;
     std::vector<std::size_t> rankBegin_;
+    std::vector<double> work_;
     int fixedBody_ = 0;
     std::vector<Group> groups_;
     std::vector<Pair> pairs_;

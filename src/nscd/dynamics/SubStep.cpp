@@ -158,7 +158,7 @@ void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& pos
                                                            const std::vector<NamedImpulse<D>>& impulses)
 {
     candidates_ = Candidates<D>({members_, arrangement_.walls(), freeBodyOfWall_, freeBodies(), skin, settings_.blocks,
-                                 settings_.period},
+                                 settings_.period, candidates_.work()},
                                 positions, orientations, communicator_);
     schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
     impulses_ = matchImpulses(candidates_, impulses);

@@ -27,7 +27,7 @@ nscd::Candidates<D> candidatesOf(const nscd::Vectors<D>& x, const std::vector<do
     const nscd::Members<D> members(grains);
     const std::vector<int> noFreeBody(wallCount, -1);
     const nscd::Communicator communicator(MPI_COMM_SELF);
-    return {{members, walls, noFreeBody, 0, skin, 8, period}, x, grains.orientation, communicator};
+    return {{members, walls, noFreeBody, 0, skin, 8, period, {}}, x, grains.orientation, communicator};
 }
 
 template <int D>
@@ -134,6 +134,31 @@ TEST(Candidates, ContainNearWallsOnly)
     }
     EXPECT_GT(expected.size(), 20u);
     EXPECT_EQ(found, expected);
+}
+
+TEST(Candidates, CountTheWorkOfBlocks)
+{
+    nscd::Vectors<2> x;
+    for (int i = 0; i < 16; ++i)
+    {
+        x.push_back({i * 1.0, 0.5});
+    }
+    const nscd::WallContact<2> floor({{{-1, 0}, {3.5, 0}, 0}});
+    const std::vector<double> work = candidatesOf<2>(x, std::vector<double>(16, 0.5), floor, 1, 0.1).work();
+    // Two discs to a block and four of them on the floor: pairs of two blocks are the lower one's
+    EXPECT_GT(work[0], 2);
+    EXPECT_EQ(work[1], work[0]);
+    EXPECT_EQ(std::vector<double>(work.begin() + 2, work.end()), (std::vector<double>{2, 2, 2, 2, 2, 1}));
+}
+
+TEST(Candidates, AreDealtByWork)
+{
+    EXPECT_EQ(nscd::deal({1, 1, 1, 1}, 2), (std::vector<int>{0, 0, 1, 1}));
+    EXPECT_EQ(nscd::deal({0, 0, 0, 0}, 2), (std::vector<int>{0, 0, 1, 1}));
+    EXPECT_EQ(nscd::deal({4, 2, 1, 1}, 2), (std::vector<int>{0, 1, 1, 1}));
+    EXPECT_EQ(nscd::deal({0, 0, 1, 9}, 2), (std::vector<int>{0, 0, 0, 1}));
+    EXPECT_EQ(nscd::deal({1, 1}, 1), (std::vector<int>{0, 0}));
+    EXPECT_EQ(nscd::deal({9, 0}, 4).back(), 3);
 }
 
 TEST(Bisection, MakesBlocksOfEqualSizeAlsoOfEqualPositions)

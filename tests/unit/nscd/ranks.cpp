@@ -44,7 +44,8 @@ void compareRuns(int perSide, int blocks, double restitution = 0, double massRat
     }
     expect(same, "250 steps are the same on all ranks as on one");
 
-    const std::string file = "nscd_ranks_" + std::to_string(D) + ".h5";
+    const int ranks = nscd::Communicator(MPI_COMM_WORLD).size();
+    const std::string file = "nscd_" + std::to_string(ranks) + "ranks_" + std::to_string(D) + ".h5";
     together.save(file, 1);
     alone.load(file);
     bool sameAfterRestart = sameBits(alone, together);

@@ -5,6 +5,8 @@
 
 #include "Scene.hpp"
 
+#include "nscd/base/Communicator.hpp"
+
 #include <cfenv>
 #include <cstdio>
 

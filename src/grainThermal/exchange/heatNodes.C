@@ -134,7 +134,7 @@ bool Foam::heatNodes::isAlone() const
 }
 
 
-Foam::scalarField Foam::heatNodes::fromNetwork(const scalarField& bodies) const
+Foam::scalarField Foam::heatNodes::fromBodies(const scalarField& bodies) const
 {
     scalarField result(grains_.size(), Zero);
     for (const nscd::HeatNetwork::Link& link : network_.links())
@@ -143,7 +143,28 @@ Foam::scalarField Foam::heatNodes::fromNetwork(const scalarField& bodies) const
         result[link.i] += h*bodies[link.j];
         result[link.j] += h*bodies[link.i];
     }
+    forAll(result, i)
+    {
+        result[i] *= inMesh(i);
+    }
     return result;
+}
+
+
+void Foam::heatNodes::factorise(const scalarField& diagonal)
+{
+    scalarField weight(diagonal.size());
+    forAll(weight, i)
+    {
+        weight[i] = inMesh(i);
+    }
+    factors_ = networkFactors(network_, fluidCapacity_, weight, diagonal);
+}
+
+
+void Foam::heatNodes::solveAlone(scalarField& r) const
+{
+    factors_.solve(r);
 }
 
 
@@ -160,19 +181,16 @@ void Foam::heatNodes::addToCells
     {
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            given[o.cell] += overlap_[o.index]*bodies[graini]/V[o.cell];
+            given[o.cell] += overlap_[o.index]*bodies[graini];
         }
     }
+    given /= V;
     grains_.voidFraction().smooth(given);
     cells += given*V;
 }
 
 
-Foam::scalarField Foam::heatNodes::received
-(
-    const scalarField& cells,
-    const scalarField& bodies
-) const
+Foam::scalarField Foam::heatNodes::fromCells(const scalarField& cells) const
 {
     const overlapList& overlaps = grains_.overlaps();
     scalarField seen(cells);
@@ -187,15 +205,6 @@ Foam::scalarField Foam::heatNodes::received
         }
     }
     sumOverRanks(result);
-
-    if (network_.links().size())
-    {
-        const scalarField linked(fromNetwork(bodies));
-        forAll(result, i)
-        {
-            result[i] += inMesh(i)*linked[i];
-        }
-    }
     return result;
 }
 

@@ -39,6 +39,7 @@ Foam::cellsAndBodies::cellsAndBodies
     setDiagonal();
     setWeight();
     factorise();
+    bodies_.factorise(diagonal_);
 }
 
 
@@ -172,7 +173,8 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::image(const vector& x) const
     scalarField given(x.cells.size(), Zero);
     bodies_.addToCells(x.bodies, given);
     result.cells -= given;
-    result.bodies -= bodies_.received(x.cells, x.bodies);
+    result.bodies -= bodies_.fromCells(x.cells);
+    result.bodies -= bodies_.fromBodies(x.bodies);
     gather(result);
     result.bodies *= weight_;
     return result;
@@ -204,7 +206,9 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::preconditioned
 
     vector z(r);
     z.bodies /= weight_;
-    bodies_.addToCells(z.bodies/diagonal_, z.cells);
+    scalarField alone(z.bodies);
+    bodies_.solveAlone(alone);
+    bodies_.addToCells(alone, z.cells);
     z.cells *= inverse_;
     forAll(l, facei)
     {
@@ -216,8 +220,8 @@ Foam::cellsAndBodies::vector Foam::cellsAndBodies::preconditioned
         z.cells[l[facei]] -=
             inverse_[l[facei]]*upper[facei]*z.cells[u[facei]];
     }
-    z.bodies += bodies_.received(z.cells, scalarField(r.bodies.size(), Zero));
-    z.bodies /= diagonal_;
+    z.bodies += bodies_.fromCells(z.cells);
+    bodies_.solveAlone(z.bodies);
     spread(z);
     return z;
 }

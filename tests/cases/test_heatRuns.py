@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Heat in runs that stop and continue, on several ranks, of clusters and in cyclic boxes."""
 
+import re
+
 import numpy as np
 import pytest
 from grain_box import (
@@ -229,3 +231,15 @@ def test_steady_heat_around_resolved_grains_does_not_depend_on_the_time_step(clo
     for one, other in zip(*found, strict=True):
         assert np.ptp(one) > 20
         np.testing.assert_allclose(one, other, rtol=0, atol=1e-6)
+
+
+def test_good_conductors_that_touch_cost_few_iterations(clone):
+    """9 to 11 with incomplete factors of what touches, 27 to 33 with its diagonal alone."""
+    case = grain_box(clone, lattice(12, 6, 0.008, (0.006, 0.004)), 0.004)
+    material = "heatCapacity 800; conductivity 2e5; youngsModulus 1e9;"
+    with_heat(case, 310, 400, COLD, heat="conductance strip;", ofGlass=material)
+    replace(case, GRAINS, "density 7800;", f"density 7800; {CONTACTS}")
+    control(case, deltaT=1e-2, endTime=0.2, writeInterval=20)
+    case.run("grainThermalFoam")
+    found = [int(n) for n in re.findall(r"Solving for T,.* No Iterations (\d+)", case.log)]
+    assert len(found) == 20 and max(found) <= 15

@@ -239,6 +239,11 @@ TABLE = [
         swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; maxDeltaT -1;"),
         [CONTROL, "'maxDeltaT'", "value -1", "> 0"],
     ),
+    (
+        "minDeltaT",
+        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; minDeltaT 0;"),
+        [CONTROL, "'minDeltaT'", "value 0", "> 0"],
+    ),
     ("hugeG", swap("constant/g", "-9.81", "-1e200"), ["constant/g", "(0 -1e+200 0)", "1e15"]),
     (
         "sweepsNotWhole",

@@ -8,6 +8,8 @@ import subprocess
 
 import numpy as np
 from grain_box import control, grain_box, lattice, replace
+from heat_box import fix_grains
+from test_adjustableTimeStep import adjusting
 
 
 def assert_stopped(case, *fragments):
@@ -55,6 +57,26 @@ def test_fluid_that_blows_up(clone):
     control(case, endTime=0.02)
     case.run("grainFoam")
     assert f"Time {last} is incomplete" in case.log
+    assert "/0.01/grains.h5" in case.log
+    assert case.times[-1] == "0.02"
+
+
+def test_steps_that_become_too_short(clone):
+    """Continued with a lid so fast that a step may last a millionth of the first at most."""
+    case = grain_box(clone, [(0.05, 0.03)])
+    fix_grains(case)
+    adjusting(case, write_interval=0.01, end=0.01)
+    control(case, writeFormat="ascii")
+    case.run("grainFoam")
+    case.dict_set("0.01/U", "boundaryField/top", "{ type fixedValue; value uniform (1e18 0 0); }")
+    control(case, endTime=0.1)
+    assert_stopped(
+        case, "s by maxCo, less than minDeltaT 1e-09 s", "last complete time", "FOAM exiting"
+    )
+
+    case.dict_set("0.01/U", "boundaryField/top", "{ type noSlip; }")
+    control(case, endTime=0.02)
+    case.run("grainFoam")
     assert "/0.01/grains.h5" in case.log
     assert case.times[-1] == "0.02"
 

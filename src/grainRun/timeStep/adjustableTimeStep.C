@@ -8,6 +8,7 @@
 #include "dictionaryInput.H"
 #include "fvcSurfaceIntegrate.H"
 #include "requireTimeStep.H"
+#include "writeForALook.H"
 
 Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
 :
@@ -27,6 +28,13 @@ Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
     maxDeltaT
     (
         dictionaryInput::getPositiveOrDefault(dict, "maxDeltaT", dimTime, GREAT)
+    ),
+    minDeltaT
+    (
+        dictionaryInput::getPositiveOrDefault
+        (
+            dict, "minDeltaT", dimTime, 1e-6*dict.get<scalar>("deltaT")
+        )
     )
 {}
 
@@ -219,7 +227,7 @@ void Foam::adjustableTimeStep::set
         {"maxDeltaT", given.maxDeltaT}
     });
     all.insert(all.end(), more.begin(), more.end());
-    take(time_, times_, grains_.motion().lastTimeStep(), all);
+    take(time_, times_, grains_.motion().lastTimeStep(), all, given.minDeltaT);
 }
 
 
@@ -228,7 +236,8 @@ void Foam::adjustableTimeStep::take
     Time& runTime,
     const writingTimes& times,
     const scalar last,
-    const std::vector<namedLimit>& all
+    const std::vector<namedLimit>& all,
+    const scalar least
 )
 {
     // Grains that are fixed, and none, have no last step
@@ -249,6 +258,21 @@ void Foam::adjustableTimeStep::take
             governing = one.first;
             limit = one.second;
         }
+    }
+
+    if (limit < least)
+    {
+        Info<< endl;
+        writeForALook(runTime, "The time step has become too short");
+        FatalErrorInFunction
+            << "The time step after time " << runTime.timeName() << " would be "
+            << limit << " s by " << governing << ", less than minDeltaT "
+            << least << " s" << nl
+            << "    something has gone wrong before; the fields are written for"
+            << " a look, a run continues from the last complete time, and with"
+            << " a smaller minDeltaT in system/controlDict (a millionth of"
+            << " deltaT, if not given) goes on from there"
+            << exit(FatalError);
     }
 
     scalar deltaT = isFirst ? min(before, limit) : grown(before, limit);

@@ -47,6 +47,7 @@ void Foam::dryTimeStep::set()
                 )
             },
             {"maxDeltaT", given.maxDeltaT}
-        }
+        },
+        given.minDeltaT
     );
 }

@@ -10,9 +10,9 @@
 #include "dictionaryInput.H"
 #include "findRefCell.H"
 #include "fvc.H"
-#include "OSspecific.H"
 #include "referenceHeight.H"
 #include "timeScheme.H"
+#include "writeForALook.H"
 
 namespace
 {
@@ -166,17 +166,8 @@ void Foam::vansFlow::checkFinite() const
         return;
     }
 
-    // Without the grains' state and marked incomplete: no run continues from
-    // this time
     const Time& runTime = mesh_.time();
-    const_cast<Time&>(runTime).writeNow();
-    if (Pstream::master())
-    {
-        const fileName dir(runTime.globalPath()/runTime.timeName());
-        mkDir(dir);
-        OFstream(dir/"grains.h5.notFinite")()
-            << "The fluid's solution is not finite" << endl;
-    }
+    writeForALook(runTime, "The fluid's solution is not finite");
 
     if (bad >= 0)
     {

@@ -14,7 +14,7 @@ from droplet_box import (
     open_top,
     with_droplets,
 )
-from grain_box import control, grain_box, replace
+from grain_box import control, grain_box, ledger, replace
 from heat_box import GRAINS, with_heat
 
 CSV = "constant/droplets.csv"
@@ -134,3 +134,18 @@ def test_a_missing_state_is_named(clone):
     control(case, endTime=4e-3)
     case.run("grainDropletFoam", check=False)
     assert "no state of the droplets" in case.log
+
+
+@pytest.mark.parametrize("isOpen", [True, False], ids=["open", "shut"])
+def test_vapour_without_a_way_out_is_said_once(clone, isOpen):
+    case = with_heat(grain_box(clone), T=600, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    if isOpen:
+        open_top(case)
+    with_droplets(case, [(0.05, 0.055)], 0.02)
+    control(case, endTime=2e-2)
+    case.run("grainDropletFoam")
+    assert case.log.count("no patch lets the fluid out") == (0 if isOpen else 1)
+
+    # Without grains there is nothing to differ from
+    assert ledger(case)["momentumError"].max() == 0

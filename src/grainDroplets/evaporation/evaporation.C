@@ -332,6 +332,23 @@ void Foam::evaporation::addVapour
 }
 
 
+void Foam::evaporation::warnIfShut()
+{
+    const auto& p_rgh = mesh_.lookupObject<volScalarField>("p_rgh");
+    if (hasWarned_ || !p_rgh.needReference() || sum(lost_) <= 0)
+    {
+        return;
+    }
+    hasWarned_ = true;
+    WarningInFunction
+        << "Droplets evaporate and no patch lets the fluid out: the volume of"
+        << " their vapour is taken evenly from that of the gas, which is"
+        << " incompressible;" << nl
+        << "    an opening, a fixed value of p_rgh on a patch, avoids it"
+        << " (said once)" << endl;
+}
+
+
 void Foam::evaporation::startStep(const volScalarField& T)
 {
     const List<dropletFace> faces
@@ -358,6 +375,7 @@ void Foam::evaporation::startStep(const volScalarField& T)
             carried[i] = evaporate(i);
         }
     }
+    warnIfShut();
 
     const scalar deltaT = mesh_.time().deltaTValue();
     vapour_ = scalarField(mesh_.nCells(), Zero);

@@ -105,7 +105,10 @@ void Foam::grainLedger::endStep
 
     const vector given = exchange_.momentumGiven();
     const vector received = exchange_.momentumReceived();
-    momentumError_ = mag(given - received)/max(mag(received), VSMALL);
+    momentumError_ =
+        grains_.size()
+      ? mag(given - received)/max(mag(received), VSMALL)
+      : 0;
 
     if (carried_.isActive())
     {

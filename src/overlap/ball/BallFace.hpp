@@ -33,7 +33,7 @@ inline std::pair<double, double> heightRange(const UnitBall& ball, const Facets&
 {
     const Facet* facet = facets.begin(face);
     const Facet* end = facets.end(face);
-    if (facet == end) return {1e300, 1e300};
+    if (facet == end) return {1e300, -1e300};  // no plane: out of reach from either side
     const double first = height(ball, *facet);
     std::pair<double, double> range(first, first);
     while (++facet != end)

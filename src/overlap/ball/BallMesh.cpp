@@ -114,7 +114,6 @@ double BallMesh::faceArea(int face)
 bool BallMesh::holdsBall(int cell)
 {
     const CellView view = mesh_.view(cell);
-    if (!view.shape.convex) return false;
     for (std::size_t i = 0; i < view.nFaces; ++i)
     {
         const auto [low, high] = face(view.faces[i].face).heights;

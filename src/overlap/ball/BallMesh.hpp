@@ -37,7 +37,7 @@ public:
     /// the mesh alone.  Valid until the next call.  Throws std::invalid_argument if the radius is not positive or a
     /// number is not finite.
     ///
-    /// The cell `hint` is tried first: if it is convex and holds the whole ball, as a large cell may have done before
+    /// The cell `hint` is tried first: if the whole ball is behind all planes of its faces, as in a large cell before
     /// the ball moved a little, nothing is searched.
     const std::vector<CellOverlap>& overlaps(const Point3& centre, double radius, int hint = -1);
 

@@ -92,15 +92,17 @@ public:
 private:
     double cellVolume() const { return cell_.shape.volume * ball_.scale * ball_.scale * ball_.scale; }
 
-    /// A plane of a convex cell has the ball in front of it.
+    /// How far the cell reaches in front of the planes of its own facets.
+    double dent() const { return cell_.shape.dent * ball_.scale; }
+
+    /// A plane of the cell has the ball in front of it, and of all that is of the cell there.
     bool separated()
     {
-        if (!cell_.shape.convex) return false;
         for (std::size_t i = 0; i < cell_.nFaces; ++i)
         {
             const auto [low, high] = source_.heights(cell_.faces[i].face);
             inward_ = std::min(inward_, cell_.faces[i].sign > 0 ? low : -high);
-            if (inward_ <= -1) return true;
+            if (inward_ <= -1 - dent()) return true;
         }
         return false;
     }
@@ -129,7 +131,12 @@ private:
     /// Valid where the centre is not near the cell's boundary.
     bool holdsCentre() const
     {
-        if (cell_.shape.convex) return inward_ > 0;
+        if (cell_.shape.convex()) return inward_ > 0;
+
+        // What is behind all planes is in the cell, convex or not; beyond the dents nothing is
+        constexpr double rounding = 1e-9;
+        if (inward_ > rounding) return true;
+        if (inward_ < -dent() - rounding) return false;
         if ((ball_.centre.array() < cell_.shape.low.array()).any()
             || (ball_.centre.array() > cell_.shape.high.array()).any())
         {

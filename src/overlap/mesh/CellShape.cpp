@@ -5,6 +5,8 @@
 
 #include "overlap/disc/DiscPolygon.hpp"
 
+#include <algorithm>
+
 namespace overlap
 {
 
@@ -29,7 +31,7 @@ void forFacets(const Facets& facets, const CellFace* faces, std::size_t nFaces, 
 CellShape cellShape(const Facets& facets, const CellFace* faces, std::size_t nFaces, const Point3* vertices,
                     std::size_t nVertices)
 {
-    CellShape shape{vertices[0], vertices[0], Point3::Zero(), 0, true};
+    CellShape shape{vertices[0], vertices[0], Point3::Zero(), 0, 0};
     for (std::size_t k = 0; k < nVertices; ++k)
     {
         shape.low = shape.low.cwiseMin(vertices[k]);
@@ -50,12 +52,13 @@ CellShape cellShape(const Facets& facets, const CellFace* faces, std::size_t nFa
         const double cone = sign * facet.normal.dot(origin) * plane.area / 3;
         shape.volume += cone;
         moment += 0.75 * cone * centroid;
-        for (std::size_t k = 0; k < nVertices && shape.convex; ++k)
+        for (std::size_t k = 0; k < nVertices; ++k)
         {
-            shape.convex = sign * facet.normal.dot(vertices[k] - facet.origin) <= rounding;
+            shape.dent = std::max(shape.dent, sign * facet.normal.dot(vertices[k] - facet.origin));
         }
     };
     forFacets(facets, faces, nFaces, addCone);
+    shape.dent = shape.dent > rounding ? shape.dent + rounding : 0;
 
     shape.centroid = middle;
     if (shape.volume > 0) shape.centroid += moment / shape.volume;

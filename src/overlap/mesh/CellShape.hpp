@@ -21,7 +21,9 @@ struct CellShape
     Point3 low, high;  ///< bounds [m]
     Point3 centroid;   ///< [m]
     double volume;     ///< [m^3], negative if the faces look inwards
-    bool convex;       ///< to within 1e-12 of its size
+    double dent;       ///< farthest that a vertex lies in front of a facet's plane [m]; 0 within 1e-12 of the cell's size
+
+    bool convex() const { return dent == 0; }
 };
 
 /// A cell of a polyhedron or mesh.

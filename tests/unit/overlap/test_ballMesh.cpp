@@ -200,18 +200,18 @@ TEST(BallMesh, FollowsAMeshThatMoves)
 
 TEST(BallMesh, AHintChangesNothing)
 {
-    const PolyhedralMesh mesh = blockOfKind("rotated", 4, {0, 0, 0}).mesh();
-    BallMesh plain(mesh), hinted(mesh);
     std::mt19937 random(8);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (int k = 0; k < 300; ++k)
+    for (const char* kind : {"rotated", "warped rotated"})
     {
-        const Point3 centre = Point3(unit(random), unit(random), unit(random));
-        const double r = k % 2 ? 0.05 : 0.4;
-        const std::vector<CellOverlap>& a = plain.overlaps(centre, r);
-        const int hints[] = {a[0].cell, static_cast<int>(random() % mesh.nCells()), -1, 1000000};
-        for (const int hint : hints)
+        const PolyhedralMesh mesh = blockOfKind(kind, 4, {0, 0, 0}).mesh();
+        BallMesh plain(mesh), hinted(mesh);
+        for (int k = 0; k < 600; ++k)
         {
+            const Point3 centre = Point3(unit(random), unit(random), unit(random));
+            const double r = k % 2 ? 0.05 : 0.4;
+            const std::vector<CellOverlap>& a = plain.overlaps(centre, r);
+            const int hint = k % 3 ? a[0].cell : static_cast<int>(random() % (mesh.nCells() + 10)) - 1;
             const std::vector<CellOverlap>& b = hinted.overlaps(centre, r, hint);
             ASSERT_EQ(a.size(), b.size());
             for (std::size_t i = 0; i < a.size(); ++i)
@@ -221,6 +221,23 @@ TEST(BallMesh, AHintChangesNothing)
                 EXPECT_EQ(a[i].centroid, b[i].centroid);
             }
         }
+    }
+}
+
+TEST(BallMesh, BallsInAndBesideADentedCell)
+{
+    // The notch of the L is within the reach of the cell in front of its own planes
+    const Cell cell = extrudedL();
+    const Polyhedron ell(cell.vertices, cell.faces);
+    const double r = 0.2, whole = 4 * pi / 3 * r * r * r;
+    const std::pair<Point3, double> balls[] = {
+        {{0.5, 0.5, 0.5}, 1}, {{1.5, 0.5, 0.5}, 1},   {{0.5, 1.5, 0.5}, 1}, {{1.5, 1.5, 0.5}, 0}, {{1.2, 1.2, 0.5}, 0},
+        {{1, 1.5, 0.5}, 0.5}, {{1.5, 1, 0.5}, 0.5},   {{1, 1, 0.5}, 0.75},  {{2.5, 0.5, 0.5}, 0}, {{0.5, 2.5, 0.5}, 0},
+        {{2, 0.5, 0.5}, 0.5}, {{1.5, 1, 1}, 0.25},    {{2, 1, 1}, 0.125},   {{2, 2, 0.5}, 0},     {{1, 1, 1}, 0.375},
+    };
+    for (const auto& [centre, share] : balls)
+    {
+        EXPECT_NEAR(ballPolyhedron(centre, r, ell).volume, share * whole, 1e-15) << centre.transpose();
     }
 }
 

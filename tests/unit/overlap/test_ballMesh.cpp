@@ -241,6 +241,25 @@ TEST(BallMesh, BallsInAndBesideADentedCell)
     }
 }
 
+TEST(BallMesh, FacesWithoutAreaHideNoCell)
+{
+    // Two of the cells have a triangle between them whose vertices are on an edge of both
+    MeshCells cells = block(2, false, same);
+    const int a = 1, b = 4, middle = static_cast<int>(cells.points.size());
+    cells.points.push_back(0.5 * (cells.points[a] + cells.points[b]));
+    cells.cells[0].push_back({a, b, middle});
+    cells.cells[1].push_back({middle, b, a});
+    const PolyhedralMesh mesh = cells.mesh();
+    BallMesh ball(mesh);
+    const double r = 0.3, whole = 4 * pi / 3 * r * r * r;
+    for (const double x : {-0.5, -0.1, 0.05, 0.5})
+    {
+        double volume = 0;
+        for (const CellOverlap& part : ball.overlaps({x, -0.5, -0.5}, r)) volume += part.volume;
+        EXPECT_NEAR(volume, whole, 1e-14 * whole) << x;
+    }
+}
+
 TEST(BallMesh, RefusesBallsWithoutRadius)
 {
     const PolyhedralMesh mesh = block(2, false, same).mesh();

@@ -63,7 +63,8 @@ void Foam::patchDistance::meshChanged()
 Foam::scalarField Foam::patchDistance::distances
 (
     const autoPtr<tree>& faces,
-    const UList<point>& x
+    const UList<point>& x,
+    const UList<scalar>& reach
 )
 {
     scalarField result(x.size(), GREAT);
@@ -71,11 +72,30 @@ Foam::scalarField Foam::patchDistance::distances
     {
         forAll(x, i)
         {
-            const pointIndexHit hit(faces->findNearest(x[i], sqr(GREAT)));
-            result[i] = mag(hit.rawPoint() - x[i]);
+            const pointIndexHit hit(faces->findNearest(x[i], sqr(reach[i])));
+            if (hit.hit())
+            {
+                result[i] = mag(hit.hitPoint() - x[i]);
+            }
         }
     }
     combineOverRanks(result, minEqOp<scalar>());
+    return result;
+}
+
+
+Foam::boolList Foam::patchDistance::arePatchesWithin
+(
+    const UList<point>& x,
+    const UList<scalar>& reach
+) const
+{
+    const scalarField distance(distances(chosen_, x, reach));
+    boolList result(x.size());
+    forAll(result, i)
+    {
+        result[i] = distance[i] < reach[i];
+    }
     return result;
 }
 
@@ -88,8 +108,11 @@ Foam::boolList Foam::patchDistance::arePatchesNearest
     // A point beyond the common edge of two patches is as far from both
     constexpr scalar same = 1 + 1e-6;
 
-    const scalarField chosen(distances(chosen_, x));
-    const scalarField others(distances(others_, x));
+    const scalarField chosen(fromPatches(x));
+    const scalarField others
+    (
+        distances(others_, x, scalarField(x.size(), GREAT))
+    );
     boolList result(x.size());
     forAll(result, i)
     {

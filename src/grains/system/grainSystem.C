@@ -154,23 +154,28 @@ void Foam::grainSystem::findAtOpenings()
 
     DynamicList<label> part;
     DynamicList<point> x;
+    DynamicList<scalar> reach;
     forAll(mappedVolume_, i)
     {
         if (mappedVolume_[i] > 0 && mappedVolume_[i] < whole*volume(i))
         {
+            scalar farthest = 0;
+            for (const grainMember& body : members(i))
+            {
+                farthest = max
+                (
+                    farthest, mag(body.centre - centres()[i]) + body.radius
+                );
+            }
             part.append(i);
             x.append(centres()[i]);
+            reach.append(farthest);
         }
     }
-    const scalarField distance(openings_->fromPatches(x));
+    const boolList isNear(openings_->arePatchesWithin(x, reach));
     forAll(part, k)
     {
-        const label i = part[k];
-        for (const grainMember& body : members(i))
-        {
-            const scalar reach = mag(body.centre - centres()[i]) + body.radius;
-            isAtOpening_[i] = isAtOpening_[i] || distance[k] < reach;
-        }
+        isAtOpening_[part[k]] = isNear[k];
     }
 }
 

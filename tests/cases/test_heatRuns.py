@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from droplet_box import open_top
 from grain_box import (
     assert_same_grains,
     control,
@@ -243,3 +244,52 @@ def test_good_conductors_that_touch_cost_few_iterations(clone):
     case.run("grainThermalFoam")
     found = [int(n) for n in re.findall(r"Solving for T,.* No Iterations (\d+)", case.log)]
     assert len(found) == 20 and max(found) <= 15
+
+
+def beside_an_outlet(clone, order, name):
+    """A hot disc at rest in an outlet and one that passes by; in an order, under an open top."""
+    centres, velocities = [(0.02, 0.02), (0.0455, 0.05)], [(0, 0), (0.5, 0.2)]
+    case = grain_box(
+        clone,
+        [centres[i] for i in order],
+        0.0045,
+        velocity=[velocities[i] for i in order],
+        name=name,
+    )
+    with_heat(case, 300, 400)
+    without_weight(case)
+    open_top(case)
+    replace(case, GRAINS, "\ncoupling\n{", f"\noutlets {{ o {{ {HOLE} }} }}\ncoupling\n{{")
+    control(case, deltaT=1e-3, endTime=0.01, writeInterval=1)
+    return case
+
+
+HOLE = "type box; box (0 0 0) (0.03 0.03 0.01);"
+
+
+def test_grains_that_leave_do_not_change_the_heat_of_others(clone):
+    """Those behind them in the list got what belonged to the one before."""
+    drops = []
+    for order, name in (([0, 1], "first"), ([1, 0], "last")):
+        case = beside_an_outlet(clone, order, name)
+        case.run("grainThermalFoam")
+        grains = [case.grains(time) for time in case.times[1:]]
+        assert [len(one["id"]) for one in grains] == [1] * 10
+        drops.append([400 - float(one["temperature"][0]) for one in grains])
+    np.testing.assert_allclose(drops[0], drops[1], rtol=1e-9)
+    assert drops[0][-1] > 5 * drops[0][0] > 0
+
+
+def test_ranks_agree_where_grains_leave_and_where_they_come(clone):
+    """The disc comes into the cells of the second rank while the other one leaves."""
+    one = beside_an_outlet(clone, [0, 1], "one")
+    one.run("grainThermalFoam")
+    two = beside_an_outlet(clone, [0, 1], "two")
+    decompose(two, 2)
+    two.parallel("grainThermalFoam", 2)
+    two.run("reconstructPar")
+    for time in one.times[1:]:
+        np.testing.assert_allclose(
+            one.grains(time)["temperature"], two.grains(time)["temperature"], rtol=0, atol=1e-7
+        )
+        np.testing.assert_allclose(one.field("T", time), two.field("T", time), rtol=0, atol=1e-7)

@@ -86,6 +86,7 @@ void Foam::grainFluidExchange::discharge
     scalarField share;
     vectorField flux;
     const bool isAny = openings_.shareOf(gone, share, flux);
+    unresolved_.discharge(gone);
     grains_.discharge(gone);
 
     filled_.clear();

@@ -7,8 +7,10 @@
 
 #include "cellSections.H"
 #include "cellSizes.H"
+#include "combineOverRanks.H"
 #include "couplingOption.H"
 #include "implicitDiffusion.H"
+#include "keepUnmarked.H"
 #include "missingFields.H"
 
 Foam::undisturbedFlow::undisturbedFlow
@@ -185,10 +187,12 @@ void Foam::undisturbedFlow::set
         )
     );
     corrections_ = List<correction>(grains.size());
+    isFound_ = boolList(grains.size(), false);
     forAll(corrections_, i)
     {
         if (!grains.overlaps().of(i).empty())
         {
+            isFound_[i] = true;
             corrections_[i] = correctionOf
             (
                 flows[i],
@@ -197,5 +201,63 @@ void Foam::undisturbedFlow::set
                 grains.fluidDiameter(i)
             );
         }
+    }
+}
+
+
+Foam::List<Foam::undisturbedFlow::correction> Foam::undisturbedFlow::all
+(
+    const label n
+) const
+{
+    if (!isActive_)
+    {
+        return List<correction>(n);
+    }
+    List<correction> result(corrections_);
+    if (!Pstream::parRun())
+    {
+        return result;
+    }
+
+    // The first of the ranks that have found it tells the others
+    labelList teller(n, Pstream::nProcs());
+    forAll(teller, i)
+    {
+        if (isFound_[i])
+        {
+            teller[i] = Pstream::myProcNo();
+        }
+    }
+    combineOverRanks(teller, minEqOp<label>());
+
+    correction nothing;
+    nothing.slipFactor = 0;
+    nothing.eps = 0;
+    forAll(result, i)
+    {
+        if (teller[i] != Pstream::myProcNo())
+        {
+            result[i] = nothing;
+        }
+    }
+    sumRecordsOverRanks(result);
+    forAll(result, i)
+    {
+        if (teller[i] == Pstream::nProcs())
+        {
+            result[i] = correction();
+        }
+    }
+    return result;
+}
+
+
+void Foam::undisturbedFlow::discharge(const std::vector<bool>& gone)
+{
+    if (isActive_ && gone.size())
+    {
+        keepUnmarked(corrections_, gone);
+        keepUnmarked(isFound_, gone);
     }
 }

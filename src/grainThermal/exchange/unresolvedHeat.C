@@ -95,6 +95,11 @@ void Foam::unresolvedHeat::add
     const overlapList& overlaps = grains_.overlaps();
     const scalarField& V = grains_.mesh().V();
 
+    const List<undisturbedFlow::correction> undisturbed
+    (
+        exchange.unresolved().undisturbed().all(grains_.size())
+    );
+
     heatLaw::range used{1, 0};
     scalarField coefficient(V.size(), Zero);
     conductance_ = scalarField(overlaps.size(), Zero);
@@ -105,10 +110,7 @@ void Foam::unresolvedHeat::add
             continue;
         }
         const grainMotion::twist motion(grains_.motion().motion(graini));
-        const undisturbedFlow::correction own
-        (
-            exchange.unresolved().undisturbed().of(graini)
-        );
+        const undisturbedFlow::correction& own = undisturbed[graini];
 
         for (const cellOverlap& o : overlaps.of(graini))
         {

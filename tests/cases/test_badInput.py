@@ -244,6 +244,11 @@ TABLE = [
         swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; minDeltaT 0;"),
         [CONTROL, "'minDeltaT'", "value 0", "> 0"],
     ),
+    (
+        "minAboveMaxDeltaT",
+        swap(CONTROL, "1e-3;", "1e-3; adjustTimeStep yes; maxDeltaT 1e-3; minDeltaT 1e-2;"),
+        [CONTROL, "'minDeltaT'", "value 0.01", "up to maxDeltaT = 0.001"],
+    ),
     ("hugeG", swap("constant/g", "-9.81", "-1e200"), ["constant/g", "(0 -1e+200 0)", "1e15"]),
     (
         "sweepsNotWhole",

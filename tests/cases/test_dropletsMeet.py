@@ -124,3 +124,24 @@ def test_release_restart_and_ranks(clone):
     ranks.run("decomposePar")
     ranks.parallel("grainDropletFoam", 2)
     np.testing.assert_allclose(droplet_table(ranks)["radius"], book["radius"], rtol=1e-8)
+
+
+def test_fixed_droplets_are_released_once(clone):
+    """Released at 0.0105 s, in a run to 0.02 s that continues, and in one without a stop."""
+
+    def case_of(name, end):
+        entries = RELEASE % 0.0105 + "motion fixed;"
+        case = box(clone, [(0.05, 0.02)], name=name, entries=entries)
+        late = "x,y,z,radius\n0.05,0.05,0.005,0.008\n"
+        (case.path / "constant/late.csv").write_text(late)
+        control(case, endTime=end, writeInterval=5)
+        return case
+
+    whole, parts = case_of("whole", 0.03), case_of("parts", 0.02)
+    whole.run("grainDropletFoam")
+    parts.run("grainDropletFoam")
+    control(parts, endTime=0.03)
+    parts.run("grainDropletFoam")
+    assert whole.logged("Droplets  ")[-1] == parts.logged("Droplets  ")[-1] == 2
+    for name in ("U", "T"):
+        np.testing.assert_array_equal(whole.field(name), parts.field(name))

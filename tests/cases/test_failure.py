@@ -81,6 +81,18 @@ def test_steps_that_become_too_short(clone):
     assert case.times[-1] == "0.02"
 
 
+def test_a_first_step_that_would_be_too_short_leaves_the_start_as_it_is(clone):
+    case = grain_box(clone, [(0.05, 0.05)], velocity=[(30, 0)])
+    adjusting(case, write_interval=0.01, end=0.01, minDeltaT=1e-4)
+    before = (case.path / "0/U").read_bytes()
+    assert_stopped(case, "s by maxGrainDisplacement, less than minDeltaT 0.0001 s")
+    assert (case.path / "0/U").read_bytes() == before
+    assert not list((case.path / "0").glob("grains.h5.*"))
+    replace(case, "system/controlDict", "minDeltaT 0.0001;", "")
+    control(case, endTime=1e-4)
+    case.run("grainFoam")
+
+
 def with_full_disc():
     """Files end after 60 kB, as on a disc without room."""
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)

@@ -9,12 +9,14 @@
 #include "OSspecific.H"
 #include "Time.H"
 
-void Foam::writeForALook(const Time& runTime, const char* reason)
+bool Foam::writeForALook(const Time& runTime, const char* reason)
 {
     const fileName dir(runTime.globalPath()/runTime.timeName());
-    if (returnReduce(Pstream::master() && isFile(dir/"grains.h5"), orOp<bool>()))
+    const bool isStart = runTime.timeIndex() == runTime.startTimeIndex();
+    const bool isThere = Pstream::master() && isFile(dir/"grains.h5");
+    if (isStart || returnReduce(isThere, orOp<bool>()))
     {
-        return;
+        return false;
     }
     const_cast<Time&>(runTime).writeNow();
     if (Pstream::master())
@@ -22,4 +24,5 @@ void Foam::writeForALook(const Time& runTime, const char* reason)
         mkDir(dir);
         OFstream(dir/"grains.h5.forALook")() << reason << endl;
     }
+    return true;
 }

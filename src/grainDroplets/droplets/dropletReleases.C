@@ -22,17 +22,26 @@ Foam::dropletReleases::dropletReleases
     const grainSystem& droplets,
     const label firstId
 )
+:
+    until_
+    (
+        IOobject
+        (
+            "releasedUntil",
+            droplets.mesh().time().timeName(),
+            "uniform",
+            droplets.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    )
 {
     if (!properties.found("releases"))
     {
         return;
     }
     const dictionary& dict = dictionaryInput::subDict(properties, "releases");
-    const scalar last = droplets.motion().lastTimeStep();
-    const scalar before =
-        last > 0
-      ? droplets.mesh().time().value() - last + roundOff*last
-      : -GREAT;
+    const scalar until = before(droplets);
 
     label id = firstId;
     for (const word& name : dict.toc())
@@ -42,9 +51,24 @@ Foam::dropletReleases::dropletReleases
         const scalar time = dictionaryInput::getScalar(batch, "time", dimTime, 0);
         dictionary source(dictionaryInput::subDict(batch, "droplets"));
         source.add("material", word("liquid"));
-        releases_.append({time, source, id, time <= before});
+        releases_.append({time, source, id, time <= until});
         id += droplets.motion().countOf(source);
     }
+}
+
+
+Foam::scalar Foam::dropletReleases::before(const grainSystem& droplets) const
+{
+    if (until_.size())
+    {
+        return until_[0];
+    }
+    // Droplets that are fixed have no last step
+    const scalar last = droplets.motion().lastTimeStep();
+    return
+        last > 0
+      ? droplets.mesh().time().value() - last + roundOff*last
+      : -GREAT;
 }
 
 
@@ -55,10 +79,13 @@ bool Foam::dropletReleases::release
     const scalar deltaT
 )
 {
+    until_.setSize(1);
+    until_[0] = now + roundOff*deltaT;
+
     bool isAny = false;
     for (group& batch : releases_)
     {
-        if (!batch.isDone && batch.time <= now + roundOff*deltaT)
+        if (!batch.isDone && batch.time <= until_[0])
         {
             droplets.add(batch.source, batch.firstId);
             batch.isDone = true;

@@ -33,10 +33,20 @@ Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
     (
         dictionaryInput::getPositiveOrDefault
         (
-            dict, "minDeltaT", dimTime, 1e-6*dict.get<scalar>("deltaT")
+            dict, "minDeltaT", dimTime,
+            min(1e-6*dict.get<scalar>("deltaT"), maxDeltaT)
         )
     )
-{}
+{
+    if (minDeltaT > maxDeltaT)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "minDeltaT", name(minDeltaT),
+            "a value up to maxDeltaT = " + name(maxDeltaT)
+        );
+    }
+}
 
 
 Foam::adjustableTimeStep::adjustableTimeStep
@@ -263,15 +273,17 @@ void Foam::adjustableTimeStep::take
     if (limit < least)
     {
         Info<< endl;
-        writeForALook(runTime, "The time step has become too short");
+        const bool isWritten =
+            writeForALook(runTime, "The time step has become too short");
         FatalErrorInFunction
             << "The time step after time " << runTime.timeName() << " would be "
             << limit << " s by " << governing << ", less than minDeltaT "
             << least << " s" << nl
-            << "    something has gone wrong before; the fields are written for"
-            << " a look, a run continues from the last complete time, and with"
-            << " a smaller minDeltaT in system/controlDict (a millionth of"
-            << " deltaT, if not given) goes on from there"
+            << "    something has gone wrong before"
+            << (isWritten ? "; the fields are written for a look" : "")
+            << "; a run continues from the last complete time, with a smaller"
+            << " minDeltaT in system/controlDict (a millionth of deltaT, if not"
+            << " given) beyond this one"
             << exit(FatalError);
     }
 

@@ -167,7 +167,8 @@ void Foam::vansFlow::checkFinite() const
     }
 
     const Time& runTime = mesh_.time();
-    writeForALook(runTime, "The fluid's solution is not finite");
+    const bool isWritten =
+        writeForALook(runTime, "The fluid's solution is not finite");
 
     if (bad >= 0)
     {
@@ -181,7 +182,8 @@ void Foam::vansFlow::checkFinite() const
             << mesh_.C()[bad] << ": U = " << U[bad] << ", p_rgh = " << p[bad]
             << nl << "    the Courant number was "
             << 0.5*max(sumPhi/mesh_.V().field())*runTime.deltaTValue()
-            << "; the fields are written for a look, a run continues from the"
-            << " last complete time" << exit(FatalError);
+            << (isWritten ? "; the fields are written for a look" : "")
+            << "; a run continues from the last complete time"
+            << exit(FatalError);
     }
 }

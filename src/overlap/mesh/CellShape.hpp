@@ -21,7 +21,7 @@ struct CellShape
     Point3 low, high;  ///< bounds [m]
     Point3 centroid;   ///< [m]
     double volume;     ///< [m^3], negative if the faces look inwards
-    double dent;       ///< farthest that a vertex lies in front of a facet's plane [m]; 0 within 1e-12 of the cell's size
+    double dent;       ///< farthest that a vertex lies in front of a facet's plane [m]; 0 below 1e-12 of its size
 
     bool convex() const { return dent == 0; }
 };

@@ -34,7 +34,7 @@ Foam::adjustableTimeStep::limits::limits(const dictionary& dict)
         dictionaryInput::getPositiveOrDefault
         (
             dict, "minDeltaT", dimTime,
-            min(1e-6*dict.get<scalar>("deltaT"), maxDeltaT)
+            min(1e-6*dict.getOrDefault<scalar>("deltaT", 0), maxDeltaT)
         )
     )
 {

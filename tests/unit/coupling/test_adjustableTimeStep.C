@@ -39,7 +39,8 @@ TEST(AdjustableTimeStep, MovesABodyByTheDistance)
 
 TEST(AdjustableTimeStep, RefusesLimitsThatAreNotPositive)
 {
-    for (const char* name : {"maxCo", "maxGrainCo", "maxGrainDisplacement", "maxDeltaT"})
+    for (const char* name :
+         {"maxCo", "maxGrainCo", "maxGrainDisplacement", "maxDeltaT", "minDeltaT"})
     {
         dictionary dict(foamTest::dict(std::string(name) + " 0;"));
         EXPECT_FOAM_ERROR(step::limits{dict}, name);
@@ -48,4 +49,9 @@ TEST(AdjustableTimeStep, RefusesLimitsThatAreNotPositive)
     EXPECT_FALSE(defaults.adjusts);
     EXPECT_EQ(defaults.maxCo, 1);
     EXPECT_EQ(defaults.maxDeltaT, GREAT);
+
+    dictionary first(foamTest::dict("deltaT 1e-3;"));
+    EXPECT_DOUBLE_EQ(step::limits(first).minDeltaT, 1e-9);
+    dictionary above(foamTest::dict("deltaT 1e-3; maxDeltaT 1e-3; minDeltaT 2e-3;"));
+    EXPECT_FOAM_ERROR(step::limits{above}, "minDeltaT");
 }

@@ -37,7 +37,7 @@ Foam::cutGrains::cutGrains
         mesh_,
         dimensionedScalar(dimless, Zero)
     ),
-    lastFluid_
+    fluidInTime_
     (
         IOobject
         (
@@ -186,9 +186,18 @@ void Foam::cutGrains::update()
     requireShortSteps();
     isActive_ = grains_.size() > 0;
     cells_.update();
-    const bool isFirst = gMin(lastFluid_.primitiveField()) < 0;
-    oldFluid_ = isFirst ? cells_.fluid() : lastFluid_;
-    lastFluid_ == cells_.fluid();
+    const bool isFirst = gMin(fluidInTime_.primitiveField()) < 0;
+    fluidInTime_.oldTime();
+    fluidInTime_ == cells_.fluid();
+    if (isFirst)
+    {
+        fluidInTime_.oldTime() == cells_.fluid();
+    }
+    weights_ = weightsInTime(mesh_, fluidInTime_.nOldTimes() > 1);
+    if (isSecondOrderInTime(mesh_))
+    {
+        fluidInTime_.oldTime().oldTime();
+    }
     oldGrain_.resize(mesh_.nCells());
     forAll(oldGrain_, celli)
     {
@@ -207,6 +216,7 @@ void Foam::cutGrains::update()
     remainder_ = Zero;
     gradient_.clear();
     A_.clear();
+    left_.clear();
     pressure_.resize(mesh_.nCells());
     pressure_ = Zero;
 

@@ -33,27 +33,7 @@ void Foam::cutGrains::addToMomentum
     const surfaceScalarField all(massFlux.name(), cut*massFlux);
     const surfaceScalarField flux(massFlux.name(), pos(cells_.open())*all);
 
-    surfaceScalarField bearable(0*cut);
-    const scalarField& open = cells_.fluid();
-    forAll(mesh_.owner(), facei)
-    {
-        bearable[facei] = min
-        (
-            2*min(open[mesh_.owner()[facei]], open[mesh_.neighbour()[facei]]), 1
-        );
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatchScalarField& x = cells_.fluid().boundaryField()[patchi];
-        if (mesh_.boundary()[patchi].coupled())
-        {
-            bearable.boundaryFieldRef()[patchi] = min
-            (
-                2*min(x.patchInternalField(), x.patchNeighbourField())(),
-                scalar(1)
-            );
-        }
-    }
+    const surfaceScalarField bearable(min(2*smallerFluid(), scalar(1)));
 
     tmp<surfaceScalarField> tflux(flux);
     const upwind<vector> simple(mesh_, flux);
@@ -100,6 +80,29 @@ void Foam::cutGrains::addToMomentum
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::smallerFluid() const
+{
+    tmp<surfaceScalarField> tsmaller(0*cells_.cutFaces());
+    surfaceScalarField& smaller = tsmaller.ref();
+    const scalarField& fluid = cells_.fluid();
+    forAll(mesh_.owner(), facei)
+    {
+        smaller[facei] =
+            min(fluid[mesh_.owner()[facei]], fluid[mesh_.neighbour()[facei]]);
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& x = cells_.fluid().boundaryField()[patchi];
+        if (mesh_.boundary()[patchi].coupled())
+        {
+            smaller.boundaryFieldRef()[patchi] =
+                min(x.patchInternalField(), x.patchNeighbourField());
+        }
+    }
+    return tsmaller;
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluidOfFaces() const
 {
     return max(fvc::interpolate(cells_.fluid()), scalar(SMALL));
@@ -108,7 +111,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluidOfFaces() const
 
 void Foam::cutGrains::startCorrections
 (
-    const volScalarField&,
+    const volScalarField& inertia,
     const volScalarField& A,
     const surfaceScalarField&,
     surfaceScalarField& mobility
@@ -125,10 +128,12 @@ void Foam::cutGrains::startCorrections
         resists_[cells_.walls()[i].grain] += link_[i]*(1 - follows(i));
     }
     sumOverRanks(resists_);
+    const volScalarField& fluid = cells_.fluid();
+    left_ = smallerFluid()*fvc::interpolate(fluid*inertia/A)/fluidOfFaces();
     const surfaceScalarField& cut = cells_.cutFaces();
     mobility =
         (1 - cut)*mobility
-      + cut*cells_.open()*fvc::interpolate(sqr(cells_.fluid())/A)
+      + cut*cells_.open()*fvc::interpolate(sqr(fluid)/A)
        /fluidOfFaces();
 }
 
@@ -137,7 +142,8 @@ void Foam::cutGrains::correctFlux
 (
     const volVectorField& AU,
     const surfaceScalarField&,
-    const volVectorField&,
+    const surfaceScalarField& oldFaceVelocity,
+    const volVectorField& U,
     const surfaceScalarField&,
     surfaceScalarField& flux
 )
@@ -147,9 +153,18 @@ void Foam::cutGrains::correctFlux
         return;
     }
     const surfaceScalarField& cut = cells_.cutFaces();
+    const volScalarField& fluid = cells_.fluid();
+    const tmp<surfaceScalarField> tofCells
+    (
+        fvc::flux(fluid*U.oldTime())/fluidOfFaces()
+    );
     flux =
         (1 - cut)*flux
-      + cut*cells_.open()*fvc::flux(cells_.fluid()*AU/A_())/fluidOfFaces();
+      + cut*cells_.open()
+       *(
+            fvc::flux(fluid*AU/A_())/fluidOfFaces()
+          + left_()*(oldFaceVelocity - tofCells)
+        );
 }
 
 

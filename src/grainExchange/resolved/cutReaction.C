@@ -59,7 +59,13 @@ void Foam::cutGrains::addForceOfCells
 
 void Foam::cutGrains::setRemainder(const volVectorField& U)
 {
-    const volVectorField& Uold = U.oldTime();
+    const bool isSecondOrder = weights_.earlier > 0;
+    const volVectorField& before = U.oldTime();
+    const volVectorField& earlier = isSecondOrder ? before.oldTime() : before;
+    const volScalarField& fluidBefore = fluidInTime_.oldTime();
+    const volScalarField& fluidEarlier =
+        isSecondOrder ? fluidBefore.oldTime() : fluidBefore;
+
     const scalar deltaT = mesh_.time().deltaTValue();
     const scalarField& V = mesh_.V();
     const scalarField& fluid = cells_.fluid();
@@ -72,8 +78,13 @@ void Foam::cutGrains::setRemainder(const volVectorField& U)
         {
             const vector& v = motion_[graini].velocity;
             remainder_[celli] =
-              - rho[celli]*(fluid[celli] - oldFluid_[celli])*V[celli]/deltaT
-               *(Uold[celli] - v)
+              - rho[celli]*V[celli]/deltaT
+               *(
+                    weights_.before*(fluid[celli] - fluidBefore[celli])
+                   *(before[celli] - v)
+                  - weights_.earlier*(fluid[celli] - fluidEarlier[celli])
+                   *(earlier[celli] - v)
+                )
               - outflow_[celli]*(U[celli] - v);
         }
     }

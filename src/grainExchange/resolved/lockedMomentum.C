@@ -39,6 +39,7 @@ void Foam::lockedGrains::correctFlux
 (
     const volVectorField& AU,
     const surfaceScalarField& oldFlux,
+    const surfaceScalarField&,
     const volVectorField& U,
     const surfaceScalarField& knownForce,
     surfaceScalarField& flux

@@ -75,7 +75,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
     );
     resolved_.correctFlux
     (
-        faces.A*HbyA, fields_.phi.oldTime(), U, step_->phib, tflux.ref()
+        faces.A*HbyA,
+        fields_.phi.oldTime(),
+        fields_.phiU.oldTime(),
+        U,
+        step_->phib,
+        tflux.ref()
     );
     return tflux;
 }

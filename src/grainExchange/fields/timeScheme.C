@@ -25,6 +25,18 @@ bool Foam::isSecondOrderInTime(const fvMesh& mesh)
 }
 
 
+Foam::weightsInTime::weightsInTime(const fvMesh& mesh, const bool hasEarlier)
+{
+    if (hasEarlier && isSecondOrderInTime(mesh))
+    {
+        const scalar deltaT = mesh.time().deltaTValue();
+        const scalar both = deltaT + mesh.time().deltaT0Value();
+        earlier = sqr(deltaT)/(mesh.time().deltaT0Value()*both);
+        before = 1 + deltaT/both + earlier;
+    }
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::convectingFlux
 (
     const surfaceScalarField& flux

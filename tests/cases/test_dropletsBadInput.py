@@ -54,6 +54,10 @@ def resolve(entries):
     )
 
 
+def diffuse(case):
+    replace(case, GRAINS, "type    exactOverlap;", "type diffused; length 0.02;")
+
+
 BAD = {
     "cold": (swap("boilingTemperature 373.15", "boilingTemperature 400"), "'boilingTemperature'"),
     "no latent heat": (swap("latentHeat 2260000.0;", ""), "'latentHeat'"),
@@ -101,6 +105,7 @@ BAD = {
         "a number > 0, as grainDropletFoam",
     ),
     "resolved grains": (resolve("type cutCells;"), "none, as the flow is resolved around droplets"),
+    "diffused": (diffuse, "exactOverlap, as what grains and droplets exchange"),
     "resolved from two cells": (resolve("from 2;"), "none, as the flow is resolved around"),
     "late outside": (late("0.5,0.5,0.005,0.02\n"), "outside the mesh"),
     "late without time": (add("releases { r { droplets { type csv; } } }"), "'time'"),

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Grains at and across the surface between water and air."""
 
+import shutil
+from pathlib import Path
+
 import numpy as np
 import pytest
 from grain_box import (
@@ -15,7 +18,7 @@ from grain_box import (
     run_whole_and_parts,
     write_csv,
 )
-from water_box import SIZE, level, liquid_ledger, set_water, to_two_fluids, water_box
+from water_box import SIZE, column, level, liquid_ledger, set_water, to_two_fluids, water_box
 
 GRAINS = "constant/grainProperties"
 H = SIZE / 20
@@ -28,6 +31,12 @@ def hold(case):
 def without_predictor(case):
     """The velocity of the first step is then that of a pressure that has been solved for."""
     case.dict_set("system/fvSolution", "PIMPLE/momentumPredictor", "no")
+
+
+def write_label_list(case, name, labels):
+    head = f"FoamFile {{ version 2.0; format ascii; class labelList; object {Path(name).name}; }}"
+    body = "\n".join(map(str, labels))
+    (case.path / name).write_text(f"{head}\n{len(labels)}\n(\n{body}\n)\n")
 
 
 def crossing(clone, seed, name=None):
@@ -164,6 +173,39 @@ def test_stop_and_restart(clone, seed):
     assert_same_grains(whole, parts)
     for name in ("U", "p_rgh", "alpha.water"):
         np.testing.assert_array_equal(whole.field(name), parts.field(name), err_msg=name)
+
+
+def test_a_restart_knows_the_length_of_the_last_step(clone):
+    """Steps that grow by a fifth each, continued from the fifth one."""
+    whole, parts = (
+        water_box(clone, column(0.04, 0.08), [(0.06, 0.05)], 0.006, (20, 20), name=name)
+        for name in ("whole", "parts")
+    )
+    for case in (whole, parts):
+        adjust = "adjustTimeStep yes; maxCo 0.4; maxDeltaT 0.005;\npurgeWrite"
+        replace(case, "system/controlDict", "purgeWrite", adjust)
+        control(case, deltaT=1e-4, endTime=2e-3, writeInterval=1, timePrecision=12)
+    whole.run("grainInterFoam")
+    begin, end = whole.times[5], whole.times[6]
+    shutil.copytree(whole.path / begin, parts.path / begin)
+    control(parts, endTime=float(end) * (1 - 1e-9))
+    parts.run("grainInterFoam")
+    # 0.02 m/s where it took the length of the step before
+    np.testing.assert_array_equal(whole.field("U", end), parts.field("U", parts.times[-1]))
+
+
+def test_a_cell_may_lie_alone_among_those_of_another_rank(clone):
+    case = crossing(clone, 4)
+    rank = np.zeros((20, 20), dtype=int)
+    rank[:, 10:] = 1
+    rank[3, 3] = 1
+    write_label_list(case, "constant/cellDecomposition", rank.ravel())
+    manual = 'manual;\nmanualCoeffs { dataFile "cellDecomposition"; }'
+    replace(case, "system/decomposeParDict", "simple;", manual)
+    control(case, deltaT=1e-3, endTime=5e-3, writeInterval=5)
+    case.run("decomposePar")
+    case.parallel("grainInterFoam", 2)
+    assert np.abs(liquid_ledger(case)["unaccounted"]).max() <= 1e-10
 
 
 @pytest.mark.parametrize("seed, ranks", [(2, 2), (4, 2), (4, 4)])

@@ -256,3 +256,9 @@ def test_contact_law_for_pairs_that_have_none(clone):
     replace(case, "constant/grainProperties", "    default\n", "    defaults\n")
     assert case.run("dryGrainFoam", check=False) == 1
     assert "'materials'" in case.log
+
+
+def test_Biot_number_without_conductivity_is_unknown(clone):
+    case = with_heat(grain_box(clone, [(0.05, 0.05)]))
+    case.run("checkGrains")
+    assert "Biot number             unknown: 'glass' has no conductivity" in case.log

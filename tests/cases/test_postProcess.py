@@ -83,3 +83,25 @@ def test_every_solver_has_it(clone, solver):
     speed = np.linalg.norm(case.field("U"), axis=1)
     np.testing.assert_allclose(case.field("mag(U)"), speed, rtol=1e-9, atol=1e-15)
     assert not (case.path / "grains.lock").exists()
+
+
+@pytest.mark.parametrize(
+    "solver, entries",
+    [
+        ("grainFoam", "type grainProfiles; direction (0 1 0); number 5; fields (U);"),
+        ("grainInterFoam", "type liquidGauges; stations ((0.05 0.05 0.005));"),
+        ("grainInterFoam", "type refinementIndicator; alpha alpha.water;"),
+    ],
+)
+def test_fields_that_a_function_object_names_come_later(clone, solver, entries):
+    """OpenFOAM reads the function objects before there are fields."""
+    case = CASES[solver](clone)
+    control(case, endTime=2e-4, deltaT=1e-4, writeInterval=1)
+    watched = f"functions\n{{ f {{ {entries} {LIBRARY} }}"
+    replace(case, "system/controlDict", "functions\n{", watched)
+    case.run(solver)
+    case.run(f"{solver} -postProcess -latestTime")
+    assert "End" in case.log
+    for file in (case.path / "postProcessing/f").glob("postProcess/*.csv"):
+        run = case.path / "postProcessing/f/0" / file.name
+        assert file.read_text().splitlines()[-1] == run.read_text().splitlines()[-1]

@@ -65,6 +65,11 @@ bool Foam::functionObjects::grainProfiles::read(const dictionary& dict)
     {
         fields_ = dictionaryInput::getAs<wordList>(dict, "fields", names);
     }
+    if (postProcess)
+    {
+        // The fields come later
+        return true;
+    }
     for (const word& field : fields_)
     {
         if

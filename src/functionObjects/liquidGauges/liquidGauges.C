@@ -53,7 +53,7 @@ bool Foam::functionObjects::liquidGauges::read(const dictionary& dict)
     checkFunctionKeywords(dict, {"stations", "alpha", "origin", "thickness"});
 
     alphaName_ = dict.getOrDefault<word>("alpha", "alpha.water");
-    if (!mesh_.foundObject<volScalarField>(alphaName_))
+    if (!postProcess && !mesh_.foundObject<volScalarField>(alphaName_))
     {
         dictionaryInput::badValue
         (

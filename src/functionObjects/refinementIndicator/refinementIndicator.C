@@ -58,7 +58,11 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
         dict.found("alpha")
       ? dictionaryInput::getAs<word>(dict, "alpha", aField)
       : none;
-    if (alphaName_ != none && !mesh_.foundObject<volScalarField>(alphaName_))
+    if
+    (
+        !postProcess && alphaName_ != none
+     && !mesh_.foundObject<volScalarField>(alphaName_)
+    )
     {
         dictionaryInput::badValue(dict, "alpha", alphaName_, aField);
     }
@@ -100,7 +104,10 @@ bool Foam::functionObjects::refinementIndicator::read(const dictionary& dict)
             zeroGradientFvPatchScalarField::typeName
         )
     );
-    update();
+    if (!postProcess)
+    {
+        update();
+    }
     return true;
 }
 

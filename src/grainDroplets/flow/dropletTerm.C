@@ -43,6 +43,19 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
         );
     }
 
+    const dictionary& fraction =
+        dictionaryInput::subDict(coupling, "voidFraction");
+    const word spread("diffused");
+    if (fraction.getOrDefault<word>("type", "") == spread)
+    {
+        dictionaryInput::badValue
+        (
+            fraction, "type", spread,
+            "exactOverlap, as what grains and droplets exchange is in the cells"
+            " that they share"
+        );
+    }
+
     const scalar most = 4*gMin(cellSizes(grains.mesh()));
     for (label i = 0; i < grains.size(); ++i)
     {

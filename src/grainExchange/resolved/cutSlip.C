@@ -8,6 +8,31 @@
 #include "fvc.H"
 #include "zeroGradientFvPatchFields.H"
 
+namespace
+{
+
+//- Sum of the fourth powers of the components of a unit vector along the axes of
+//  a cell, which are the normals of its faces
+Foam::scalar fourthPowers
+(
+    const Foam::fvMesh& mesh,
+    const Foam::label celli,
+    const Foam::vector& direction
+)
+{
+    Foam::scalar squares = 0, fourth = 0;
+    for (const Foam::label facei : mesh.cells()[celli])
+    {
+        const Foam::vector n(normalised(mesh.faceAreas()[facei]));
+        squares += Foam::sqr(n & direction);
+        fourth += Foam::pow4(n & direction);
+    }
+    return fourth/squares;
+}
+
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::cutGrains::normals() const
 {
     tmp<volVectorField> tnormals
@@ -71,10 +96,9 @@ void Foam::cutGrains::setSlip(const volVectorField& U) const
         if (link_[i] > 0 && number[c] > SMALL)
         {
             const vector m(walls[i].arm/mag(walls[i].arm));
-            const scalar fourth =
-                pow4(m.x()) + pow4(m.y()) + pow4(m.z());
             slip_[i] =
-                (1 + 2*fourth)/24*sqr(cells_.cellSize(c))*all[c]/number[c];
+                (1 + 2*fourthPowers(mesh_, c, m))/24
+               *sqr(cells_.cellSize(c))*all[c]/number[c];
         }
     }
 }

@@ -7,6 +7,7 @@
 
 #include "exchangeFields.H"
 #include "fvc.H"
+#include "IOdictionary.H"
 #include "upwind.H"
 
 namespace
@@ -23,6 +24,28 @@ Foam::IOobject restartField(const Foam::fvMesh& mesh, const char* name)
         IOobject::READ_IF_PRESENT,
         IOobject::AUTO_WRITE
     );
+}
+
+
+//- Length of the step that ended with the state on disk: OpenFOAM has it as that
+//  of the next one, and that of the step before as the last
+Foam::scalar lastDeltaT(const Foam::Time& time)
+{
+    using namespace Foam;
+    const IOdictionary state
+    (
+        IOobject
+        (
+            "time",
+            time.timeName(),
+            "uniform",
+            time,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    return state.getOrDefault("deltaT", time.deltaT0Value());
 }
 
 }
@@ -71,7 +94,7 @@ Foam::twoFluids::twoFluids
         "deltaT",
         dimTime,
         massBefore_.typeHeaderOk<volScalarField>(true)
-      ? U.time().deltaT0Value()
+      ? lastDeltaT(U.time())
       : 0
     )
 {

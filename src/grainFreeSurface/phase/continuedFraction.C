@@ -229,6 +229,16 @@ void Foam::continuedFraction::solveIn
             values.append(given[celli]);
         }
     }
+    // setValues leaves nothing of a cell all of whose neighbours are elsewhere
+    scalarField& diagonal = equation.diag();
+    const scalar typical = gAverage(diagonal);
+    for (const label celli : others)
+    {
+        if (diagonal[celli] == 0)
+        {
+            diagonal[celli] = typical;
+        }
+    }
     equation.setValues(others, values);
 
     controls.add("tolerance", 1e-13);

@@ -50,10 +50,17 @@ void Foam::printBiotNumbers
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         const label materiali = grains.material[i];
-        const scalar kp = dictionaryInput::getPositiveOrDefault
+        const word& name = properties.materials().names()[materiali];
+        const dictionary& material = materials.subDict(name);
+        if (!material.found("conductivity"))
+        {
+            Info<< nl << "Biot number             unknown: '" << name
+                << "' has no conductivity" << endl;
+            return;
+        }
+        const scalar kp = dictionaryInput::getPositive
         (
-            materials.subDict(properties.materials().names()[materiali]),
-            "conductivity", dimConductivity, GREAT
+            material, "conductivity", dimConductivity
         );
         const scalar d = alone[i].lawDiameter;
         const scalar Nu = law->Nu(1, alone[i].Re, mu*Cp/k);

@@ -147,7 +147,15 @@ void Foam::grainFluidExchange::findShares()
             share[o.cell] -= o.volume/mesh_.V()[o.cell];
         }
     }
-    share.max(0);
+
+    // What small grains fill of a locked cell they take of the resolved one, whose
+    // share of the pressure is theirs there (doc/theory, eq. 3.32)
+    forAll(share, celli)
+    {
+        const scalar excess = max(-share[celli], scalar(0));
+        share[celli] += excess;
+        fields_.kappa[celli] -= resolved_->isLiquid(celli) ? 0 : excess;
+    }
     share.correctBoundaryConditions();
 }
 
@@ -190,9 +198,8 @@ void Foam::grainFluidExchange::predict(const volVectorField& cellU)
     const stopwatch::lap lap(time_);
     const tmp<volVectorField> U(seenByGrains(cellU));
 
-    findShares();
-
     fields_.clear();
+    findShares();
     unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
     tellTreatment();
     resolved_->addInertia(fields_);

@@ -5,7 +5,7 @@ cells and steps: each bead in the surface moves as a whole, its parts in water a
 
 import numpy as np
 import pytest
-from grain_box import control
+from grain_box import control, replace
 from water_box import level, liquid_ledger, water_box
 
 RADIUS = 0.002
@@ -13,8 +13,16 @@ ROWS, COLUMNS = 6, 24
 LIQUID, GAS = 5000, 5  # of beads of 2500
 
 
-@pytest.mark.parametrize("cells, dt", [(25, 2e-3), (25, 5e-4), (12, 2e-3)])
-def test_half_of_a_raft_is_immersed(clone, cells, dt):
+@pytest.mark.parametrize(
+    "cells, dt, mapping",
+    [
+        (25, 2e-3, "exactOverlap"),
+        (25, 5e-4, "exactOverlap"),
+        (12, 2e-3, "exactOverlap"),
+        (25, 2e-3, "diffused; length 0.008"),
+    ],
+)
+def test_half_of_a_raft_is_immersed(clone, cells, dt, mapping):
     x, y = np.meshgrid(
         0.05 + 2.05 * RADIUS * (np.arange(COLUMNS) - (COLUMNS - 1) / 2),
         0.05 + 2.05 * RADIUS * (np.arange(ROWS) - (ROWS - 1) / 2),
@@ -27,6 +35,7 @@ def test_half_of_a_raft_is_immersed(clone, cells, dt):
         cells=(cells, cells),
         densities=(LIQUID, GAS),
     )
+    replace(case, "constant/grainProperties", "type    exactOverlap;", f"type {mapping};")
     # Water passes between the beads and comes to rest with them within the second
     case.dict_set("constant/grainProperties", "coupling/packingRatio", "0.8165")
     # Held by nothing but the liquid

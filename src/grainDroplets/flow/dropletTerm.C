@@ -171,7 +171,7 @@ void Foam::dropletTerm::addForceOnSmall
                 v + deltaT*weight.of(i).acceleration(weight.rho(o.cell))
             );
             force[i] +=
-                weight.force(o.volume, o.cell)
+                weight.forceInCell(o.volume, o.cell)
               + o.volume*drag.given(U[o.cell], Zero);
         }
     }
@@ -192,7 +192,7 @@ Foam::vector Foam::dropletTerm::impulseOnOthers(const volVectorField& U) const
         {
             for (const cellOverlap& o : system.overlaps().of(i))
             {
-                sum -= weight.force(o.volume, o.cell);
+                sum -= weight.forceInCell(o.volume, o.cell);
             }
         }
     }

@@ -25,7 +25,7 @@ Foam::vector Foam::grainFluidExchange::momentumOfCells
         if (!resolved_->isLiquid(celli))
         {
             result += deltaT
-               *weight_.force((1 - eps[celli])*mesh_.V()[celli], celli);
+               *weight_.forceInCell((1 - eps[celli])*mesh_.V()[celli], celli);
         }
         result += deltaT*mesh_.V()[celli]
            *(

@@ -42,6 +42,11 @@ Foam::openingExchange::insides() const
     const overlapList& overlaps = grains_.overlaps();
 
     List<inside> result(grains_.size());
+    if (grains_.motion().openings().empty())
+    {
+        return result;
+    }
+    const tmp<scalarField> rho(weight_.seen());
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         if (!grains_.isAtOpening(graini))
@@ -51,13 +56,10 @@ Foam::openingExchange::insides() const
         for (const cellOverlap& o : overlaps.of(graini))
         {
             result[graini].moment += o.volume*o.arm;
-            result[graini].buoyancy += weight_.force(o.volume, o.cell);
+            result[graini].buoyancy += weight_.force(o.volume, rho()[o.cell]);
         }
     }
-    if (grains_.motion().openings().size())
-    {
-        sumRecordsOverRanks(result);
-    }
+    sumRecordsOverRanks(result);
     return result;
 }
 

@@ -23,7 +23,7 @@ void Foam::cutGrains::addForce
     {
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            force[graini] += weight_.force(o.volume, o.cell);
+            force[graini] += weight_.forceInCell(o.volume, o.cell);
         }
     }
 

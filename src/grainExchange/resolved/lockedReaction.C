@@ -22,7 +22,7 @@ void Foam::lockedGrains::addForce
         {
             for (const cellOverlap& o : overlaps.of(graini))
             {
-                force[graini] += weight_.force(o.volume, o.cell);
+                force[graini] += weight_.forceInCell(o.volume, o.cell);
             }
         }
     }

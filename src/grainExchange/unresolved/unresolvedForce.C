@@ -69,6 +69,7 @@ void Foam::unresolvedTerm::addForce
     // For the torque, the fluid's velocity where the overlap is: a grain that
     // straddles two cells would take their difference for a spin
     const volTensorField gradU(fvc::grad(U));
+    const tmp<scalarField> rho(weight_.seen());
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -116,7 +117,7 @@ void Foam::unresolvedTerm::addForce
                 o.volume*(t.gamma - dragOfAddedMass(o.cell))*t.a
                *(fromCentre & gradU[o.cell])
             );
-            force[graini] += weight_.force(o.volume, o.cell);
+            force[graini] += weight_.force(o.volume, rho()[o.cell]);
             force[graini] += f;
             torque[graini] += o.arm ^ (f + shear);
         }

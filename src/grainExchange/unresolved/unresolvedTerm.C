@@ -149,7 +149,7 @@ void Foam::unresolvedTerm::predict
                       + accelerated*resolved.liquidVelocity(o.cell)
                       - e
                     )
-                  - weight_.force(w, o.cell);
+                  - weight_.forceInCell(w, o.cell);
                 continue;
             }
             const scalar wa = w*t.a;

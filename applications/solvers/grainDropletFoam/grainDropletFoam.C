@@ -23,6 +23,7 @@ Description
 #include "adjustableTimeStep.H"
 #include "buoyantPatches.H"
 #include "carriedFields.H"
+#include "coupledPatches.H"
 #include "dictionaryInput.H"
 #include "dropletLedger.H"
 #include "fluidHeat.H"

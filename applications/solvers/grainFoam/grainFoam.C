@@ -24,6 +24,7 @@ Description
 
 #include "adjustableTimeStep.H"
 #include "carriedFields.H"
+#include "coupledPatches.H"
 #include "dictionaryInput.H"
 #include "fluidInput.H"
 #include "grainFluidExchange.H"

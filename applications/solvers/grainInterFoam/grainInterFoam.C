@@ -23,6 +23,7 @@ Description
 
 #include "adjustableTimeStep.H"
 #include "carriedFields.H"
+#include "coupledPatches.H"
 #include "dictionaryInput.H"
 #include "grainFluidExchange.H"
 #include "grainLedger.H"

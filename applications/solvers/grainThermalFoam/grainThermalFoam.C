@@ -24,6 +24,7 @@ Description
 #include "adjustableTimeStep.H"
 #include "buoyantPatches.H"
 #include "carriedFields.H"
+#include "coupledPatches.H"
 #include "dictionaryInput.H"
 #include "fluidHeat.H"
 #include "fluidInput.H"

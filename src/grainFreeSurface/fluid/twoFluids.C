@@ -5,6 +5,7 @@
 
 #include "twoFluids.H"
 
+#include "coupledPatches.H"
 #include "exchangeFields.H"
 #include "fvc.H"
 #include "IOdictionary.H"
@@ -98,6 +99,7 @@ Foam::twoFluids::twoFluids
       : 0
     )
 {
+    evaluateCoupled(alpha());
     correct();
 }
 

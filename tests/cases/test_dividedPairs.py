@@ -37,8 +37,10 @@ def fluid(clone):
 
 def turbulent(clone):
     case = stirred(clone)
-    for name, dims, value in (("k", "0 2 -2", K), ("epsilon", "0 2 -3", EPSILON), ("nut", "0 2 -1", 0)):
-        write_scalar(case, name, f"{dims} 0 0 0 0", value, f"{CYCLIC} frontAndBack {{ type empty; }}")
+    patches = f"{CYCLIC} frontAndBack {{ type empty; }}"
+    write_scalar(case, "k", "0 2 -2 0 0 0 0", K, patches)
+    write_scalar(case, "epsilon", "0 2 -3 0 0 0 0", EPSILON, patches)
+    write_scalar(case, "nut", "0 2 -1 0 0 0 0", 0, patches)
     replace(case, "system/fvSchemes", "    div(tau)", SCHEMES + "    div(tau)")
     replace(case, "system/fvSolution", "    U\n", f'    "(k|epsilon)" {SOLVER}\n    U\n')
     replace(case, FLUID, "1e-4;", "1e-4;\ntransportModel Newtonian;")

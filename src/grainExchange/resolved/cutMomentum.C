@@ -128,6 +128,7 @@ void Foam::cutGrains::startCorrections
         resists_[cells_.walls()[i].grain] += link_[i]*(1 - follows(i));
     }
     sumOverRanks(resists_);
+    setInertia();
     const volScalarField& fluid = cells_.fluid();
     left_ = smallerFluid()*fvc::interpolate(fluid*inertia/A)/fluidOfFaces();
     const surfaceScalarField& cut = cells_.cutFaces();
@@ -168,18 +169,26 @@ void Foam::cutGrains::correctFlux
 }
 
 
-Foam::scalar Foam::cutGrains::inertia(const label graini) const
+void Foam::cutGrains::setInertia()
 {
     // So much of the fluid's that a grain which is fixed hardly yields
     constexpr scalar fixed = 1e4;
 
     const grainMotion& motion = grains_.motion();
     const scalar deltaT = mesh_.time().deltaTValue();
-    return
-        motion.isFixed()
-      ? fixed*gMax(fluid_.rho().primitiveField())/deltaT
-      : motion.density(graini)/deltaT
-      + resists_[graini]/grains_.mappedVolume()[graini];
+    if (motion.isFixed())
+    {
+        inertia_ = scalarField
+        (
+            grains_.size(), fixed*gMax(fluid_.rho().primitiveField())/deltaT
+        );
+        return;
+    }
+    inertia_ = resists_/grains_.mappedVolume();
+    forAll(inertia_, graini)
+    {
+        inertia_[graini] += motion.density(graini)/deltaT;
+    }
 }
 
 
@@ -206,7 +215,7 @@ void Foam::cutGrains::addToMobility(surfaceScalarField& mobility) const
 {
     for (const cutCells::part& x : cells_.parts())
     {
-        resolvedFace::at(mobility, x.patch, x.face) += x.share/inertia(x.grain);
+        resolvedFace::at(mobility, x.patch, x.face) += x.share/inertia_[x.grain];
     }
 }
 
@@ -221,7 +230,7 @@ void Foam::cutGrains::addToFlux(surfaceScalarField& flux) const
             x.share
            *(
                 (motion_[x.grain].velocity & at(mesh_.Sf(), x.patch, x.face))
-              + at(gradient_(), x.patch, x.face)/inertia(x.grain)
+              + at(gradient_(), x.patch, x.face)/inertia_[x.grain]
             );
     }
 }

@@ -48,12 +48,10 @@ struct slopes
 
 Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
 (
-    const volVectorField& U,
-    const bool inWholeCells
+    const volVectorField& U
 ) const
 {
     const scalarField& fluid = cells_.fluid();
-    const scalar enough = inWholeCells ? 1 : 0;
     List<slopes> of(mesh_.nCells());
     const surfaceScalarField& open = cells_.open();
     const surfaceVectorField d(mesh_.delta());
@@ -63,7 +61,7 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
     forAll(own, i)
     {
         const label P = own[i], N = nei[i];
-        if (open[i] > 0 && min(fluid[P], fluid[N]) >= enough)
+        if (open[i] > 0)
         {
             const vector way(d[i] + shift[N] - shift[P]);
             of[P].add(way, U[N] - U[P]);
@@ -79,10 +77,6 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
         if (patch.coupled())
         {
             const vectorField beyond(boundary.patchNeighbourField());
-            const scalarField fluidBeyond
-            (
-                cells_.fluid().boundaryField()[patchi].patchNeighbourField()
-            );
             const vectorField other
             (
                 shift.boundaryField()[patchi].patchNeighbourField()
@@ -90,17 +84,13 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
             forAll(cells, i)
             {
                 const label c = cells[i];
-                if
-                (
-                    open.boundaryField()[patchi][i] > 0
-                 && min(fluid[c], fluidBeyond[i]) >= enough
-                )
+                if (open.boundaryField()[patchi][i] > 0)
                 {
                     of[c].add(way[i] + other[i] - shift[c], beyond[i] - U[c]);
                 }
             }
         }
-        else if (patch.size() && !inWholeCells)
+        else
         {
             forAll(cells, i)
             {
@@ -115,7 +105,7 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
     forAll(walls, i)
     {
         const cutCells::wall& w = walls[i];
-        if (fluid[w.cell] > 0 && !inWholeCells)
+        if (fluid[w.cell] > 0)
         {
             const vector n(w.arm/mag(w.arm));
             of[w.cell].add(-w.distance*n, velocityAt(i) - U[w.cell]);
@@ -135,7 +125,7 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
     const vector across(vector::one - cells_.inMesh(vector::one));
     forAll(of, celli)
     {
-        if (fluid[celli] > 0 && fluid[celli] >= enough)
+        if (fluid[celli] > 0)
         {
             tgradient.ref()[celli] = of[celli].gradient(across);
         }
@@ -153,7 +143,7 @@ Foam::tmp<Foam::surfaceVectorField> Foam::cutGrains::besideTheLine
 {
     const volVectorField& shift = cells_.shift();
     const volScalarField& fluid = cells_.fluid();
-    const tmp<volTensorField> tgradient(gradient(U, false));
+    const tmp<volTensorField> tgradient(gradient(U));
     surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
     n.setOriented(false);
     const surfaceTensorField atFaces

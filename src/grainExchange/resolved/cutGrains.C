@@ -220,12 +220,9 @@ void Foam::cutGrains::update()
     pressure_.resize(mesh_.nCells());
     pressure_ = Zero;
 
-    const scalarField& mu = fluid_.muStress();
     const List<cutCells::wall>& walls = cells_.walls();
     const scalarField& open = cells_.fluid();
     link_.resize(walls.size());
-    slip_.resize(walls.size());
-    slip_ = Zero;
     hold_.resize(mesh_.nCells());
     hold_ = Zero;
     cover_.resize(mesh_.nCells());
@@ -234,7 +231,7 @@ void Foam::cutGrains::update()
     {
         const cutCells::wall& x = walls[i];
         const bool isCut = open[x.cell] > 0;
-        link_[i] = isCut ? mu[x.cell]*mag(x.area)/x.distance : 0;
+        link_[i] = linkOfLine(i);
         if (!isCut && cover_[x.cell] < 0)
         {
             cover_[x.cell] = x.grain;

@@ -33,7 +33,7 @@ void Foam::cutGrains::addToMomentum
     const surfaceScalarField all(massFlux.name(), cut*massFlux);
     const surfaceScalarField flux(massFlux.name(), pos(cells_.open())*all);
 
-    const surfaceScalarField bearable(min(2*smallerFluid(), scalar(1)));
+    const surfaceScalarField bearable(min(4*smallerFluid(), scalar(1)));
 
     tmp<surfaceScalarField> tflux(flux);
     const upwind<vector> simple(mesh_, flux);
@@ -54,7 +54,7 @@ void Foam::cutGrains::addToMomentum
       - fvm::Sp(fvc::div(flux), U)
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
 
-    setSlip(U);
+    setLinks(U);
     UEqn -= fvc::surfaceIntegrate(besideTheLine(U, mu));
 
     outflow_ =
@@ -277,18 +277,7 @@ void Foam::cutGrains::correctForce
     }
     gradient_ = new surfaceScalarField("gradientOfFaces", faceForce);
 
-    // Of a face that is closed: counts for a cell that has no other in a direction
-    constexpr scalar least = 1e-6;
-
-    const surfaceVectorField weighted
-    (
-        max(cells_.open(), least)*mesh_.Sf()/mesh_.magSf()
-    );
-    const volVectorField inOpen
-    (
-        inv(fvc::surfaceSum(weighted*mesh_.Sf()))
-      & fvc::surfaceSum(weighted*faceForce)
-    );
+    const volVectorField inOpen(gradientInOpen(faceForce));
     const volVectorField inAll(reconstructed(faceForce));
     const scalarField& open = cells_.fluid();
     for (const cutCells::wall& x : cells_.walls())

@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutGrains.H"
+
+#include "fvc.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Sum of the fourth powers of the components of a unit vector along the axes of
+//  a cell, which are the normals of its faces
+scalar fourthPowers
+(
+    const fvMesh& mesh,
+    const label celli,
+    const vector& direction
+)
+{
+    scalar squares = 0, fourth = 0;
+    for (const label facei : mesh.cells()[celli])
+    {
+        const vector n(normalised(mesh.faceAreas()[facei]));
+        squares += sqr(n & direction);
+        fourth += pow4(n & direction);
+    }
+    return fourth/squares;
+}
+
+
+//- Means over the cells away from the surface in a cell, and how much there is of
+//  them: 1 if the next one along the normal is whole, 0 in a gap
+struct cellsAhead
+{
+    scalar share = 0;
+    vector velocity = Zero;
+    vector way = Zero;
+
+    void add
+    (
+        const vector& normal,
+        const vector& out,
+        const scalar fluid,
+        const vector& U,
+        const vector& toCentroid
+    )
+    {
+        const scalar weight = sqr(max(normal & out, scalar(0)))*pow4(fluid);
+        share += weight;
+        velocity += weight*U;
+        way += weight*toCentroid;
+    }
+};
+
+}
+
+
+Foam::scalar Foam::cutGrains::linkOfLine(const label walli) const
+{
+    const cutCells::wall& x = cells_.walls()[walli];
+    return
+        cells_.fluid()[x.cell] > 0
+      ? fluid_.muStress()[x.cell]*mag(x.area)/x.distance
+      : 0;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cutGrains::gradientInOpen
+(
+    const surfaceScalarField& faceForce
+) const
+{
+    // Of a face that is closed: counts for a cell that has no other in a direction
+    constexpr scalar least = 1e-6;
+
+    const surfaceVectorField weighted
+    (
+        max(cells_.open(), least)*mesh_.Sf()/mesh_.magSf()
+    );
+    return
+        inv(fvc::surfaceSum(weighted*mesh_.Sf()))
+      & fvc::surfaceSum(weighted*faceForce);
+}
+
+
+void Foam::cutGrains::setLinks(const volVectorField& U) const
+{
+    // A cell that is all of a tube, of a gap between planes two
+    constexpr scalar most = 3;
+
+    // The wall's curvature goes on through a boundary layer, whose thickness goes
+    // on to less than a cell from about this Reynolds number of the cells on
+    constexpr scalar thin = 5;
+
+    const List<cutCells::wall>& walls = cells_.walls();
+    vectorField normal(mesh_.nCells(), Zero);
+    for (const cutCells::wall& x : walls)
+    {
+        normal[x.cell] += x.share*x.arm/mag(x.arm);
+    }
+
+    List<cellsAhead> ahead(mesh_.nCells());
+    const scalarField& fluid = cells_.fluid();
+    const vectorField& shift = cells_.shift();
+    const surfaceVectorField d(mesh_.delta());
+    forAll(mesh_.owner(), i)
+    {
+        const label P = mesh_.owner()[i], N = mesh_.neighbour()[i];
+        if (cells_.open()[i] > 0)
+        {
+            const vector out(normalised(mesh_.Sf()[i]));
+            const vector way(d[i] + shift[N] - shift[P]);
+            ahead[P].add(normal[P], out, fluid[N], U[N], way);
+            ahead[N].add(normal[N], -out, fluid[P], U[P], -way);
+        }
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!patch.coupled())
+        {
+            continue;
+        }
+        const vectorField way(patch.delta());
+        const vectorField out(patch.nf());
+        const vectorField UBeyond(U.boundaryField()[patchi].patchNeighbourField());
+        const scalarField fluidBeyond
+        (
+            cells_.fluid().boundaryField()[patchi].patchNeighbourField()
+        );
+        const vectorField shiftBeyond
+        (
+            cells_.shift().boundaryField()[patchi].patchNeighbourField()
+        );
+        forAll(way, i)
+        {
+            const label c = patch.faceCells()[i];
+            if (cells_.open().boundaryField()[patchi][i] > 0)
+            {
+                ahead[c].add
+                (
+                    normal[c], out[i], fluidBeyond[i], UBeyond[i],
+                    way[i] + shiftBeyond[i] - shift[c]
+                );
+            }
+        }
+    }
+
+    const volScalarField& p = mesh_.lookupObject<volScalarField>("p_rgh");
+    const volVectorField gradP
+    (
+        gradientInOpen(fvc::snGrad(p)*mesh_.magSf())
+    );
+    const scalarField& mu = fluid_.mu();
+    const scalarField& rho = fluid_.rho();
+    forAll(walls, i)
+    {
+        const cutCells::wall& x = walls[i];
+        const label c = x.cell;
+        const vector n(x.arm/mag(x.arm));
+        const vector v(motion_[x.grain].at(x.arm));
+        const vector slip((U[c] - v) - ((U[c] - v) & n)*n);
+        const scalar speed = mag(slip);
+        link_[i] = linkOfLine(i);
+        if (link_[i] == 0 || speed < VSMALL)
+        {
+            continue;
+        }
+        const scalar h = cells_.cellSize(c);
+        const scalar share = min(ahead[c].share, scalar(1));
+
+        // Less than that of a parabola with its top in the cells ahead, or here
+        scalar largest = 3*(1 - share)*speed/sqr(x.distance);
+        if (share > SMALL)
+        {
+            const scalar y =
+                x.distance + max(ahead[c].way/ahead[c].share & n, h/4);
+            const vector beyond(ahead[c].velocity/ahead[c].share - v);
+            const vector along(beyond - (beyond & n)*n);
+            const scalar Re = rho[c]*mag(along)*y/mu[c];
+            largest +=
+                2*share/(1 + sqr(Re/thin))
+               *max(along & slip, scalar(0))/(speed*sqr(y));
+        }
+        const scalar curvature =
+            (mesh_.nGeometricD() - 1)*speed/(mag(x.arm)*x.distance)
+          - (gradP[c] & slip)/(mu[c]*speed);
+        const scalar squaredLength =
+            share*(1 + 2*fourthPowers(mesh_, c, n))/24*sqr(h)
+          + (1 - share)*2.0/3*sqr(x.distance);
+        link_[i] *=
+            1
+          + min
+            (
+                squaredLength/speed
+               *max(min(curvature, largest), scalar(0)),
+                most
+            )*min(fluid[c]/0.5, 1.0);
+    }
+}

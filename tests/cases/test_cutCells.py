@@ -70,7 +70,7 @@ def test_grain_at_rest_has_its_buoyancy(clone):
 
 
 def test_disc_in_a_stream_is_dragged_as_on_a_finer_mesh(clone):
-    """At Re 40 and 4, 8 cells in a diameter; 4.1 % more was measured with locked cells."""
+    """At Re 40 and 4, 8 cells in a diameter: 3.4 %; 4.1 % was measured with locked cells."""
     drag = []
     for n in (32, 64):
         case = grain_box(clone, [(0.0371, 0.0511)], 0.00625, name=str(n))
@@ -90,8 +90,8 @@ def test_disc_in_a_stream_is_dragged_as_on_a_finer_mesh(clone):
 def test_creeping_flow_is_of_second_order(clone):
     """Speed of a cylinder between walls four diameters apart over that of Re -> 0."""
     error = [creeping_cylinder(clone, n, 0.6, "cutCells", aside=0.3) - 1 for n in (6, 12)]
-    # 0.6 % with 12 cells; the formula, the end and locked cells leave 0.1 %
-    assert 0 < error[1] <= 0.01
+    # 0.2 % with 12 cells; the formula, the end and locked cells leave 0.1 %
+    assert 0 < error[1] <= 0.005
     assert np.log2(error[0] / error[1]) >= 1.8
 
 
@@ -120,7 +120,7 @@ def test_cells_that_change_sides_do_not_kick(clone):
         kicks.append(np.linalg.norm(np.diff(force, axis=0), axis=1).max())
         drag = np.linalg.norm(force.mean(axis=0))
     assert ledger(case)["momentumError"].max() <= 1e-12
-    # 0.58 and 0.10 of the drag
+    # 0.58 and 0.13 of the drag
     assert kicks[1] <= 0.25 * kicks[0]
     assert kicks[1] <= 0.15 * drag
 
@@ -327,3 +327,20 @@ def test_a_disc_that_lies_on_the_floor_passes_no_fluid_through_it(clone):
     assert case.grains()["position"][0, 1] == pytest.approx(0.0125, abs=1e-6)
     assert ledger(case)["divergence"].max() <= 1e-9
     assert np.abs(case.field("U")).max() < 0.2
+
+
+@pytest.mark.parallel
+def test_ranks_agree_on_what_does_not_move(clone):
+    """Fixed discs of several sizes, of which ranks have different numbers of faces."""
+    cases = []
+    for name in ("one", "many"):
+        centres = [(0.0487, 0.056), (0.0212, 0.0297), (0.0315, 0.0805)]
+        case = grain_box(clone, centres, [0.0095, 0.012, 0.0105], name=name)
+        replace(case, GRAINS, "coupling\n{", "coupling\n{\n    motion  fixed;")
+        replace(case, "0/U", "uniform (0 0 0)", "uniform (0.01 0.02 0)")
+        control(with_cells(case, 40), deltaT=2e-3, endTime=0.02, writeInterval=10)
+        cases.append(choose(case))
+    decompose(cases[1], 2)
+    assert_ranks_agree(*cases, 2)
+    forces = [tracks(case)[-3:, 11:13] for case in cases]
+    np.testing.assert_allclose(forces[1], forces[0], rtol=1e-6)

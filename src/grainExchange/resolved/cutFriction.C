@@ -89,11 +89,11 @@ Foam::tmp<Foam::volVectorField> Foam::cutGrains::gradientInOpen
 
 void Foam::cutGrains::setLinks(const volVectorField& U) const
 {
-    // A cell that is all of a tube, of a gap between planes two
+    // Of a cell that is all of a tube; 2 of a gap between planes
     constexpr scalar most = 3;
 
-    // The wall's curvature goes on through a boundary layer, whose thickness goes
-    // on to less than a cell from about this Reynolds number of the cells on
+    // Reynolds number of the cells ahead from which on a boundary layer ends before
+    // them
     constexpr scalar thin = 5;
 
     const List<cutCells::wall>& walls = cells_.walls();
@@ -192,13 +192,15 @@ void Foam::cutGrains::setLinks(const volVectorField& U) const
         const scalar squaredLength =
             share*(1 + 2*fourthPowers(mesh_, c, n))/24*sqr(h)
           + (1 - share)*2.0/3*sqr(x.distance);
+
+        // A small cell is held anyway; it must not matter when it vanishes
         link_[i] *=
             1
-          + min
+          + min(2*fluid[c], scalar(1))
+           *min
             (
-                squaredLength/speed
-               *max(min(curvature, largest), scalar(0)),
+                squaredLength/speed*max(min(curvature, largest), scalar(0)),
                 most
-            )*min(fluid[c]/0.5, 1.0);
+            );
     }
 }

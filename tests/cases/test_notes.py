@@ -218,7 +218,7 @@ def test_documented_dictionaries_of_two_fluids_run(clone):
         'boundaryField { frontAndBack { type empty; } ".*" { type zeroGradient; } }\n'
     )
     case.run("checkGrains")
-    assert "In water:" in case.log and "In air:" in case.log
+    assert "In water:\n" in case.log and "In air:\n" in case.log
     case.run("grainInterFoam")
     assert case.times == ["0", "0.005", "0.01"]
     assert abs(case.field("dye", "0.01") - 1).max() <= 1e-12

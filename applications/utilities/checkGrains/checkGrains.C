@@ -74,7 +74,7 @@ void printTimeStepInFluid
     {
         for (const word& phase : transport.get<wordList>("phases"))
         {
-            Info<< nl << "In " << phase << ':';
+            Info<< nl << "In " << phase << ':' << nl;
             printTimeStepInFluid(properties, grains, transport.subDict(phase));
         }
         return;

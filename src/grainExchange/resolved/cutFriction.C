@@ -40,16 +40,8 @@ struct cellsAhead
     vector velocity = Zero;
     vector way = Zero;
 
-    void add
-    (
-        const vector& normal,
-        const vector& out,
-        const scalar fluid,
-        const vector& U,
-        const vector& toCentroid
-    )
+    void add(const scalar weight, const vector& U, const vector& toCentroid)
     {
-        const scalar weight = sqr(max(normal & out, scalar(0)))*pow4(fluid);
         share += weight;
         velocity += weight*U;
         way += weight*toCentroid;
@@ -104,51 +96,15 @@ void Foam::cutGrains::setLinks(const volVectorField& U) const
     }
 
     List<cellsAhead> ahead(mesh_.nCells());
-    const scalarField& fluid = cells_.fluid();
-    const vectorField& shift = cells_.shift();
-    const surfaceVectorField d(mesh_.delta());
-    forAll(mesh_.owner(), i)
-    {
-        const label P = mesh_.owner()[i], N = mesh_.neighbour()[i];
-        if (cells_.open()[i] > 0)
+    forNeighbours
+    (
+        U,
+        [&](const label c, const neighbour& x)
         {
-            const vector out(normalised(mesh_.Sf()[i]));
-            const vector way(d[i] + shift[N] - shift[P]);
-            ahead[P].add(normal[P], out, fluid[N], U[N], way);
-            ahead[N].add(normal[N], -out, fluid[P], U[P], -way);
+            const scalar along = max(normal[c] & x.out, scalar(0));
+            ahead[c].add(sqr(along)*pow4(x.fluid), x.velocity, x.way);
         }
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        if (!patch.coupled())
-        {
-            continue;
-        }
-        const vectorField way(patch.delta());
-        const vectorField out(patch.nf());
-        const vectorField UBeyond(U.boundaryField()[patchi].patchNeighbourField());
-        const scalarField fluidBeyond
-        (
-            cells_.fluid().boundaryField()[patchi].patchNeighbourField()
-        );
-        const vectorField shiftBeyond
-        (
-            cells_.shift().boundaryField()[patchi].patchNeighbourField()
-        );
-        forAll(way, i)
-        {
-            const label c = patch.faceCells()[i];
-            if (cells_.open().boundaryField()[patchi][i] > 0)
-            {
-                ahead[c].add
-                (
-                    normal[c], out[i], fluidBeyond[i], UBeyond[i],
-                    way[i] + shiftBeyond[i] - shift[c]
-                );
-            }
-        }
-    }
+    );
 
     const volScalarField& p = mesh_.lookupObject<volScalarField>("p_rgh");
     const volVectorField gradP
@@ -196,7 +152,7 @@ void Foam::cutGrains::setLinks(const volVectorField& U) const
         // A small cell is held anyway; it must not matter when it vanishes
         link_[i] *=
             1
-          + min(2*fluid[c], scalar(1))
+          + min(2*cells_.fluid()[c], scalar(1))
            *min
             (
                 squaredLength/speed*max(min(curvature, largest), scalar(0)),

@@ -53,52 +53,27 @@ Foam::tmp<Foam::volTensorField> Foam::cutGrains::gradient
 {
     const scalarField& fluid = cells_.fluid();
     List<slopes> of(mesh_.nCells());
-    const surfaceScalarField& open = cells_.open();
-    const surfaceVectorField d(mesh_.delta());
-    const volVectorField& shift = cells_.shift();
-    const labelUList& own = mesh_.owner();
-    const labelUList& nei = mesh_.neighbour();
-    forAll(own, i)
-    {
-        const label P = own[i], N = nei[i];
-        if (open[i] > 0)
+    forNeighbours
+    (
+        U,
+        [&](const label c, const neighbour& x)
         {
-            const vector way(d[i] + shift[N] - shift[P]);
-            of[P].add(way, U[N] - U[P]);
-            of[N].add(-way, U[P] - U[N]);
+            of[c].add(x.way, x.velocity - U[c]);
         }
-    }
+    );
     forAll(mesh_.boundary(), patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        const labelUList& cells = patch.faceCells();
-        const fvPatchVectorField& boundary = U.boundaryField()[patchi];
-        const vectorField way(patch.delta());
         if (patch.coupled())
         {
-            const vectorField beyond(boundary.patchNeighbourField());
-            const vectorField other
-            (
-                shift.boundaryField()[patchi].patchNeighbourField()
-            );
-            forAll(cells, i)
-            {
-                const label c = cells[i];
-                if (open.boundaryField()[patchi][i] > 0)
-                {
-                    of[c].add(way[i] + other[i] - shift[c], beyond[i] - U[c]);
-                }
-            }
+            continue;
         }
-        else
+        const fvPatchVectorField& boundary = U.boundaryField()[patchi];
+        const vectorField way(patch.delta());
+        forAll(way, i)
         {
-            forAll(cells, i)
-            {
-                of[cells[i]].add
-                (
-                    way[i] - shift[cells[i]], boundary[i] - U[cells[i]]
-                );
-            }
+            const label c = patch.faceCells()[i];
+            of[c].add(way[i] - cells_.shift()[c], boundary[i] - U[c]);
         }
     }
     const List<cutCells::wall>& walls = cells_.walls();

@@ -6,7 +6,6 @@
 #include "fluidScalar.H"
 
 #include "cellsAndBodies.H"
-#include "coupledPatches.H"
 #include "dictionaryInput.H"
 #include "fvCFD.H"
 
@@ -52,8 +51,6 @@ Foam::fluidScalar::fluidScalar
     diffusedOut_(mesh.boundary().size(), Zero),
     broughtIn_(0)
 {
-    evaluateCoupled(T_);
-
     // Of the flux that transports
     mesh.divScheme("div(phiFluid," + name + ')');
     mesh.solverDict(name);

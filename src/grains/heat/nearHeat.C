@@ -280,7 +280,7 @@ void Foam::nearHeat<D>::join
         {
             network.joinReservoir(first, wall, h, other);
         }
-        else if (h > 0)
+        else if (h > 0 && first != second)
         {
             network.join(first, second, h);
         }

@@ -14,17 +14,38 @@ namespace nscd
 namespace
 {
 
-template <int D>
-double distanceOfImages(Vector<D> way, const std::array<double, 3>& period)
+/// Call f(distance) for a body and each of its periodic images nearer than 'reach' [m], 'way' being the vector to one
+/// of them; of a grain and its own images one of each two opposite ones.
+template <int D, class F>
+void forImages(Vector<D> way, const std::array<double, 3>& period, double reach, bool own, F&& f)
 {
+    std::array<int, D> most{}, n{};
     for (int d = 0; d < D; ++d)
     {
         if (period[d] > 0)
         {
             way[d] -= period[d] * std::round(way[d] / period[d]);
+            most[d] = static_cast<int>(reach / period[d] + 0.5);
+        }
+        n[d] = -most[d];
+    }
+    const std::array<int, D> none{};
+    for (int d = 0; d < D;)
+    {
+        Vector<D> image = way;
+        for (int k = 0; k < D; ++k)
+        {
+            image[k] += n[k] * period[k];
+        }
+        if (image.squaredNorm() < reach * reach && (!own || n > none))
+        {
+            f(image.norm());
+        }
+        for (d = 0; d < D && ++n[d] > most[d]; ++d)
+        {
+            n[d] = -most[d];
         }
     }
-    return way.norm();
 }
 
 }  // namespace
@@ -41,17 +62,18 @@ std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>
     const Vectors<D> x = wrapped<D>(grains.position, period);
     const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
     const Neighbours<D> neighbours(x, grains.radius, 2 * std::max(reach - 1, 0.0) * largest, period);
+    std::vector<int> near;
     for (int i = 0; i < static_cast<int>(grains.size()); ++i)
     {
-        neighbours.forNear(i, i,
-                           [&](int j)
-                           {
-                               const double distance = distanceOfImages<D>(x[j] - x[i], period);
-                               if (distance < reach * (grains.radius[i] + grains.radius[j]))
-                               {
-                                   result.push_back({i, j, distance});
-                               }
-                           });
+        near.assign(1, i);
+        neighbours.forNear(i, i, [&](int j) { near.push_back(j); });
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        for (const int j : near)
+        {
+            forImages<D>(x[j] - x[i], period, reach * (grains.radius[i] + grains.radius[j]), i == j,
+                         [&](double distance) { result.push_back({i, j, distance}); });
+        }
         const double farthest = 2 * reach * grains.radius[i];
         walls.forNear(grains.position[i], farthest,
                       [&](int wall)

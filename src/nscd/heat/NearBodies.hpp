@@ -9,7 +9,8 @@
 namespace nscd
 {
 
-/// Two grains near each other, first < second, or a grain and wall ~second.
+/// Two grains near each other, first < second; a grain and a periodic image of itself, first = second; or a grain and
+/// wall ~second.
 struct NearBodies
 {
     int first, second;
@@ -17,8 +18,8 @@ struct NearBodies
 };
 
 /// Grains whose centres are nearer than 'reach' times the sum of their radii, and walls nearer to a centre than 'reach'
-/// diameters of the grain.  A wall of several facets counts once where it is flat.  A function of the
-/// positions alone.  The box, where it is periodic, must be longer than twice the reach [m].
+/// diameters of the grain.  A wall of several facets counts once where it is flat.  A function of the positions alone.
+/// In a box that is narrower than the reach, periods in [m], a pair counts once for each image.
 template <int D>
 std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>& walls, double reach,
                                    const std::array<double, 3>& period);

@@ -15,9 +15,9 @@ SHAPE = {2: "cylinders", 3: "spheres"}
 STEP = 1e-3
 
 
-def box(clone, centres, dimension, near, temperatures=None):
+def box(clone, centres, dimension, near, temperatures=None, radius=RADIUS, name=None):
     """Grains at rest without weight above a hot floor."""
-    case = heated_box(clone, centres, dimension=dimension)
+    case = heated_box(clone, centres, radius, dimension, name)
     text = (case.path / GRAINS).read_text()
     text = text.replace("conductivity", f"emissivity {EMISSIVITY}; conductivity")
     (case.path / GRAINS).write_text(text)
@@ -25,16 +25,12 @@ def box(clone, centres, dimension, near, temperatures=None):
     path = case.path / "constant/g"
     path.write_text(path.read_text().replace("-9.81", "0"))
     if temperatures is not None:
-        set_temperatures(case, temperatures)
+        file = case.path / "constant/grains.csv"
+        header, *lines = file.read_text().splitlines()
+        rows = [f"{line},{T}" for line, T in zip(lines, temperatures, strict=True)]
+        file.write_text("\n".join([f"{header},temperature", *rows, ""]))
     control(case, writeInterval=50)
     return case
-
-
-def set_temperatures(case, temperatures):
-    file = case.path / "constant/grains.csv"
-    header, *lines = file.read_text().splitlines()
-    rows = [f"{line},{T}" for line, T in zip(lines, temperatures, strict=True)]
-    file.write_text("\n".join([f"{header},temperature", *rows, ""]))
 
 
 def through_fluid(dimension, distance, second=RADIUS):
@@ -159,27 +155,21 @@ def test_fluid_and_near_grains_keep_their_heat(clone):
     assert book["mostGrainT"][-1] - book["leastGrainT"][-1] < 50
 
 
-def test_box_narrower_than_the_range_is_one_of_many(clone):
+@pytest.mark.parametrize("reach", [3, 5])
+def test_box_narrower_than_the_range_is_one_of_many(clone, reach):
     """Discs that see several images of each other, and their own, as in a box of three periods."""
     period, places = 0.1, np.array([[0.02, 0.03], [0.064, 0.05], [0.03, 0.085]])
-    near = "radiation { type cylinders; range 3; }"
+    near = f"radiation {{ type cylinders; range {reach}; }}"
     temperatures = {}
     for periods in (1, 3):
         centres = np.concatenate([places + [i * period, 0] for i in range(periods)])
-        case = heated_box(clone, centres, radius=0.015, dimension=2, name=f"periods{periods}")
-        text = (case.path / GRAINS).read_text()
-        text = text.replace("conductivity", f"emissivity {EMISSIVITY}; conductivity")
-        text = text.replace("heat {}", f"heat {{ conductance none; {near} }}")
-        (case.path / GRAINS).write_text(text)
+        start = periods * [2000.0, 300.0, 900.0]
+        case = box(clone, centres, 2, near, start, 0.015, f"periods{periods}")
         replace(case, GRAINS, "(left right top)", "(top)")
         blocks = case.path / "system/blockMeshDict"
         blocks.write_text(blocks.read_text().replace("(0.1 ", f"({periods * period!r} "))
         make_cyclic(case, ("left", "right"))
         case.run("blockMesh")
-        set_temperatures(case, periods * [2000.0, 300.0, 900.0])
-        path = case.path / "constant/g"
-        path.write_text(path.read_text().replace("-9.81", "0"))
-        control(case, writeInterval=50)
         case.run("dryGrainFoam")
         temperatures[periods] = case.grains()["temperature"]
     np.testing.assert_allclose(temperatures[3], np.tile(temperatures[1], 3), rtol=1e-12)

@@ -250,7 +250,7 @@ void Foam::nearHeat<D>::join
     {
         const int first = near[i].first, second = near[i].second;
         const int wall = second < 0 ? walls_.heated()[~second] : -1;
-        if (second < 0 && wall < 0)
+        if ((second < 0 && wall < 0) || first == second)
         {
             continue;
         }
@@ -280,7 +280,7 @@ void Foam::nearHeat<D>::join
         {
             network.joinReservoir(first, wall, h, other);
         }
-        else if (h > 0 && first != second)
+        else if (h > 0)
         {
             network.join(first, second, h);
         }

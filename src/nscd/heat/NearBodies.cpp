@@ -6,7 +6,6 @@
 #include "nscd/search/Neighbours.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nscd
 {
@@ -14,38 +13,12 @@ namespace nscd
 namespace
 {
 
-/// Call f(distance) for a body and each of its periodic images nearer than 'reach' [m], 'way' being the vector to one
-/// of them; of a grain and its own images one of each two opposite ones.
-template <int D, class F>
-void forImages(Vector<D> way, const std::array<double, 3>& period, double reach, bool own, F&& f)
+/// Of the ways to two opposite images of a grain, one.
+template <int D>
+bool isFirstOfTwo(const Vector<D>& way)
 {
-    std::array<int, D> most{}, n{};
-    for (int d = 0; d < D; ++d)
-    {
-        if (period[d] > 0)
-        {
-            way[d] -= period[d] * std::round(way[d] / period[d]);
-            most[d] = static_cast<int>(reach / period[d] + 0.5);
-        }
-        n[d] = -most[d];
-    }
-    const std::array<int, D> none{};
-    for (int d = 0; d < D;)
-    {
-        Vector<D> image = way;
-        for (int k = 0; k < D; ++k)
-        {
-            image[k] += n[k] * period[k];
-        }
-        if (image.squaredNorm() < reach * reach && (!own || n > none))
-        {
-            f(image.norm());
-        }
-        for (d = 0; d < D && ++n[d] > most[d]; ++d)
-        {
-            n[d] = -most[d];
-        }
-    }
+    const Vector<D> none = Vector<D>::Zero();
+    return std::lexicographical_compare(none.begin(), none.end(), way.begin(), way.end());
 }
 
 }  // namespace
@@ -62,18 +35,18 @@ std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>
     const Vectors<D> x = wrapped<D>(grains.position, period);
     const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
     const Neighbours<D> neighbours(x, grains.radius, 2 * std::max(reach - 1, 0.0) * largest, period);
-    std::vector<int> near;
     for (int i = 0; i < static_cast<int>(grains.size()); ++i)
     {
-        near.assign(1, i);
-        neighbours.forNear(i, i, [&](int j) { near.push_back(j); });
-        std::sort(near.begin(), near.end());
-        near.erase(std::unique(near.begin(), near.end()), near.end());
-        for (const int j : near)
-        {
-            forImages<D>(x[j] - x[i], period, reach * (grains.radius[i] + grains.radius[j]), i == j,
-                         [&](double distance) { result.push_back({i, j, distance}); });
-        }
+        neighbours.forImages(i, i,
+                             [&](int j, const Vector<D>& way)
+                             {
+                                 const double distance = way.norm();
+                                 if (distance < reach * (grains.radius[i] + grains.radius[j])
+                                     && (j != i || isFirstOfTwo<D>(way)))
+                                 {
+                                     result.push_back({i, j, distance});
+                                 }
+                             });
         const double farthest = 2 * reach * grains.radius[i];
         walls.forNear(grains.position[i], farthest,
                       [&](int wall)

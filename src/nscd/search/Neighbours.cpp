@@ -75,7 +75,7 @@ void Neighbours<D>::addImages(std::vector<Seat>& seats, double reach, const std:
                 {
                     Seat image = seats[s];
                     image.x[d] += shift;
-                    if (image.x[d] > -reach && image.x[d] < period[d] + reach)
+                    for (; image.x[d] > -reach && image.x[d] < period[d] + reach; image.x[d] += shift)
                     {
                         seats.push_back(image);
                     }

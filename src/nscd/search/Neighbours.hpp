@@ -37,9 +37,23 @@ public:
     Neighbours(const Vectors<D>& positions, const std::vector<double>& radii, double skin,
                const std::array<double, 3>& period);
 
+    /// Call f(j, way to it [m]) for each neighbour j >= first of i, and for each periodic image of one, or of i.
+    template <class F>
+    void forImages(int i, int first, F&& f) const;
+
     /// Call f(j) for each neighbour j > first of i, other than i, and for each periodic image of one.
     template <class F>
-    void forNear(int i, int first, F&& f) const;
+    void forNear(int i, int first, F&& f) const
+    {
+        forImages(i, first + 1,
+                  [&](int j, const Vector<D>&)
+                  {
+                      if (j != i)
+                      {
+                          f(j);
+                      }
+                  });
+    }
 
     /// For each neighbour.
     template <class F>
@@ -74,7 +88,7 @@ private:
 
 template <int D>
 template <class F>
-void Neighbours<D>::forNear(int i, int first, F&& f) const
+void Neighbours<D>::forImages(int i, int first, F&& f) const
 {
     const Vector<D>& x = positions_[i];
     const double reach = radii_[i] + skin_;
@@ -87,14 +101,15 @@ void Neighbours<D>::forNear(int i, int first, F&& f) const
                                 for (int s = level.grid.begin()[cell]; s < level.grid.begin()[cell + 1]; ++s)
                                 {
                                     const Seat& seat = level.seats[s];
-                                    if (seat.index <= first || seat.index == i)
+                                    if (seat.index < first)
                                     {
                                         continue;
                                     }
-                                    const double distance = reach + seat.radius;
-                                    if ((seat.x - x).squaredNorm() < distance * distance)
+                                    const Vector<D> way = seat.x - x;
+                                    const double square = way.squaredNorm(), distance = reach + seat.radius;
+                                    if (square < distance * distance && (seat.index != i || square > 0))
                                     {
-                                        f(seat.index);
+                                        f(seat.index, way);
                                     }
                                 }
                             });

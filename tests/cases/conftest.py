@@ -12,6 +12,7 @@ from pathlib import Path
 from time import sleep
 
 import grainplot
+import foamlib
 import numpy as np
 import pytest
 
@@ -165,6 +166,11 @@ class Case:
         """Internal values at a time, the last one by default: (n_cells,) or (n_cells, 3)."""
         time = self.times[-1] if time is None else time
         return grainplot.read_field(self.path, time, name, len(self.mesh().polygons))
+
+    def flux(self, patch):
+        """Volume that leaves through a patch at the last time [m^3/s]."""
+        file = foamlib.FoamFieldFile(self.path / self.times[-1] / "phi")
+        return float(np.sum(file.boundary_field[patch].value))
 
     def grains(self, time=None):
         """Data sets of grains.h5 at a time, the last one by default, sorted by id."""

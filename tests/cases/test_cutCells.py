@@ -19,6 +19,7 @@ from heat_box import fix_grains, stream, with_heat, write_scalar
 from moving_frames import drag_and_jump, force
 from sphere_box import SIDE, sphere_box
 from test_parallel import decompose
+from test_periodic import fixed
 from test_resolved import creeping_cylinder
 from test_restart import assert_same
 from water_box import level, water_box
@@ -70,7 +71,7 @@ def test_grain_at_rest_has_its_buoyancy(clone):
 
 
 def test_disc_in_a_stream_is_dragged_as_on_a_finer_mesh(clone):
-    """At Re 40 and 4, 8 cells in a diameter: 3.4 %; 4.1 % was measured with locked cells."""
+    """At Re 40 and 4, 8 cells in a diameter: 0.9 %; 4.1 % was measured with locked cells."""
     drag = []
     for n in (32, 64):
         case = grain_box(clone, [(0.0371, 0.0511)], 0.00625, name=str(n))
@@ -84,15 +85,47 @@ def test_disc_in_a_stream_is_dragged_as_on_a_finer_mesh(clone):
         table = ledger(case)
         assert table["momentumError"].max() <= 1e-12
         drag.append(tracks(case)[-1, 11])
-    assert drag[0] == pytest.approx(drag[1], rel=0.05)
+    assert drag[0] == pytest.approx(drag[1], rel=0.02)
 
 
 def test_creeping_flow_is_of_second_order(clone):
-    """Speed of a cylinder between walls four diameters apart over that of Re -> 0."""
-    error = [creeping_cylinder(clone, n, 0.6, "cutCells", aside=0.3) - 1 for n in (6, 12)]
-    # 0.2 % with 12 cells; the formula, the end and locked cells leave 0.1 %
-    assert 0 < error[1] <= 0.005
-    assert np.log2(error[0] / error[1]) >= 1.8
+    """Speed of a cylinder between walls four diameters apart over that of Re -> 0, of which 0.1 %
+    are still to come: 1.3 and 0.1 % off, the mean of four places in a cell."""
+    error = [
+        np.mean(
+            [
+                creeping_cylinder(clone, n, 0.6, "cutCells", aside) / 0.999 - 1
+                for aside in (0, 0.15, 0.3, 0.45)
+            ]
+        )
+        for n in (4, 8)
+    ]
+    assert abs(error[0]) <= 0.02
+    assert abs(error[1]) <= min(0.003, abs(error[0]) / 2**1.8)
+
+
+def flow_between_discs(clone, cells):
+    """Flow per depth through a staggered array, 40 % of the area, so many cells in a period."""
+    side, nu, drop = 0.1, 1.0, -1e-3
+    h = side / 2 / cells
+    places = [(0.02 + 0.3 * h, 0.03), (0.045 + 0.3 * h, 0.055)]
+    shifts = [(i * side / 2, j * side / 2) for i in (0, 1) for j in (0, 1)]
+    centres = [(x + i, y + j) for x, y in places for i, j in shifts]
+    case = choose(cyclic_box(clone, centres, np.sqrt(0.2 / np.pi) * side / 2))
+    case.path = case.path.rename(case.path.with_name(str(cells)))
+    with_cells(case, 2 * cells)
+    replace(case, "0/p_rgh", '"left|right|bottom|top"', '"bottom|top"')
+    replace(case, "system/fvSolution", "nCorrectors     2;", "nCorrectors     4;")
+    step = 0.5 * h**2 / nu
+    fixed(case, drop, nu, step, round(0.04 * side**2 / nu / step))
+    return abs(case.flux("left"))
+
+
+def test_flow_through_gaps_of_three_cells(clone):
+    """Discs of eight cells: 0.8 % more than with 16; 4.4 % with friction that is right in the mean
+    over all cuts, and mobilities of faces as the means of those of their cells."""
+    coarse, fine = (flow_between_discs(clone, cells) for cells in (16, 32))
+    assert coarse == pytest.approx(fine, rel=0.02)
 
 
 def in_cyclic_box(clone, kind, steps=60):

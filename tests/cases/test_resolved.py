@@ -48,7 +48,7 @@ def creeping_cylinder(clone, resolution, viscous, kind, aside=0.0):
     d, width, mu, excess = 0.025, 0.1, 100.0, 100.0
     h = d / resolution
     centre = (0.05 + aside * h, 0.15 + 0.3 * h)
-    case = grain_box(clone, [centre], d / 2, name=f"creeping{resolution}")
+    case = grain_box(clone, [centre], d / 2, name=f"creeping{resolution}_{aside}")
     path = case.path / "system/blockMeshDict"
     path.write_text(
         path.read_text()

@@ -39,6 +39,29 @@ Foam::volScalarField cutCellField(const Foam::word& name, const Foam::fvMesh& me
 }
 
 
+//- Mean of the square of the way from the centre of a cell, exact for a box
+Foam::symmTensorField spreadOfCells(const Foam::fvMesh& mesh)
+{
+    using namespace Foam;
+    symmTensorField result(mesh.nCells(), Zero);
+    const auto add = [&](const label celli, const label facei, const scalar sign)
+    {
+        const vector x(mesh.faceCentres()[facei] - mesh.C()[celli]);
+        result[celli] +=
+            sign*(x & mesh.faceAreas()[facei])/(3*mesh.V()[celli])*sqr(x);
+    };
+    forAll(mesh.faceOwner(), facei)
+    {
+        add(mesh.faceOwner()[facei], facei, 1);
+    }
+    forAll(mesh.faceNeighbour(), facei)
+    {
+        add(mesh.faceNeighbour()[facei], facei, -1);
+    }
+    return result;
+}
+
+
 Foam::surfaceScalarField cutFaceField
 (
     const Foam::word& name,
@@ -62,6 +85,7 @@ Foam::cutCells::cutCells(const grainSystem& grains)
     grains_(grains),
     mesh_(grains.mesh()),
     cellSize_(cellSizes(mesh_)),
+    spread_(spreadOfCells(mesh_)),
     open_(cutFaceField("openFaces", mesh_, 1)),
     fluid_(cutCellField("fluidOfCells", mesh_)),
     centroid_
@@ -89,6 +113,51 @@ Foam::vector Foam::cutCells::inMesh(const vector& x) const
         }
     }
     return result;
+}
+
+
+Foam::scalar Foam::cutCells::halfFilm(const wall& x) const
+{
+    const scalar V = mesh_.V()[x.cell];
+    return 0.5*fluid_[x.cell]*V/max(mag(x.area), V/cellSize_[x.cell]);
+}
+
+
+Foam::scalar Foam::cutCells::spreadAlong(const wall& x) const
+{
+    // Between a third of the square, of a film, and a half, of the tip of a wedge
+    const vector n(x.arm/mag(x.arm));
+    return min
+    (
+        (0.5 - 0.25*fluid_[x.cell])*sqr(x.distance),
+        n & (spread_[x.cell] & n)
+    );
+}
+
+
+Foam::tmp<Foam::surfaceVectorField> Foam::cutCells::ways() const
+{
+    tmp<surfaceVectorField> tway(new surfaceVectorField(mesh_.delta()()));
+    surfaceVectorField& way = tway.ref();
+    forAll(mesh_.owner(), i)
+    {
+        way[i] += centroid_[mesh_.neighbour()[i]] - centroid_[mesh_.owner()[i]];
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        fvsPatchVectorField& atPatch = way.boundaryFieldRef()[patchi];
+        if (patch.coupled())
+        {
+            const fvPatchVectorField& x = centroid_.boundaryField()[patchi];
+            atPatch += x.patchNeighbourField() - x.patchInternalField();
+        }
+        else
+        {
+            atPatch = patch.nf();
+        }
+    }
+    return tway;
 }
 
 

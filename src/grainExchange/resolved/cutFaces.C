@@ -294,7 +294,10 @@ void Foam::cutCells::setWalls()
               + centroid_[o.cell]
             );
             x.arm = R*r/max(mag(r), VSMALL);
-            x.distance = max(mag(r) - R, 1e-3*cellSize_[o.cell]);
+            x.distance = max
+            (
+                max(mag(r) - R, halfFilm(x)), 1e-3*cellSize_[o.cell]
+            );
             walls.append(x);
         }
     }

@@ -12,26 +12,6 @@ namespace
 
 using namespace Foam;
 
-//- Sum of the fourth powers of the components of a unit vector along the axes of
-//  a cell, which are the normals of its faces
-scalar fourthPowers
-(
-    const fvMesh& mesh,
-    const label celli,
-    const vector& direction
-)
-{
-    scalar squares = 0, fourth = 0;
-    for (const label facei : mesh.cells()[celli])
-    {
-        const vector n(normalised(mesh.faceAreas()[facei]));
-        squares += sqr(n & direction);
-        fourth += pow4(n & direction);
-    }
-    return fourth/squares;
-}
-
-
 //- Means over the cells away from the surface in a cell, and how much there is of
 //  them: 1 if the next one along the normal is whole, 0 in a gap
 struct cellsAhead
@@ -45,6 +25,37 @@ struct cellsAhead
         share += weight;
         velocity += weight*U;
         way += weight*toCentroid;
+    }
+};
+
+
+//- A velocity near a wall and that of the cells ahead, along the wall and against
+//  it, in the mean over cells
+struct profile
+{
+    scalar near;
+    scalar distance;
+
+    //- Of the distances of the fluid in the cell, in the mean [m^2]
+    scalar squares;
+
+    scalar ahead;
+    scalar distanceAhead;
+
+    //- Of the distances of the fluid ahead from its middle [m^2]
+    scalar spreadAhead;
+
+    //- Of a parabola with its top in the cells ahead, or of the one through both
+    //  velocities and the wall, whichever is more [1/m/s]
+    scalar curvature() const
+    {
+        const scalar y = distanceAhead;
+        const scalar withTop =
+            2*ahead/max(sqr(y) - spreadAhead, sqr(y)/2);
+        const scalar throughBoth =
+            2*(y*near/distance - ahead)
+           /max(sqr(y) + spreadAhead - y*squares/distance, spreadAhead);
+        return max(withTop, throughBoth);
     }
 };
 
@@ -79,7 +90,7 @@ Foam::tmp<Foam::volVectorField> Foam::cutGrains::gradientInOpen
 }
 
 
-void Foam::cutGrains::setLinks(const volVectorField& U) const
+Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
 {
     // Of a cell that is all of a tube; 2 of a gap between planes
     constexpr scalar most = 3;
@@ -113,6 +124,7 @@ void Foam::cutGrains::setLinks(const volVectorField& U) const
     );
     const scalarField& mu = fluid_.mu();
     const scalarField& rho = fluid_.rho();
+    cutCurvature result(cells_, mesh_);
     forAll(walls, i)
     {
         const cutCells::wall& x = walls[i];
@@ -126,37 +138,33 @@ void Foam::cutGrains::setLinks(const volVectorField& U) const
         {
             continue;
         }
-        const scalar h = cells_.cellSize(c);
         const scalar share = min(ahead[c].share, scalar(1));
+        const scalar squares = sqr(x.distance) + cells_.spreadAlong(x);
 
-        // Less than that of a parabola with its top in the cells ahead, or here
+        // Less than that of a parabola here, or of one that the cells ahead are on
         scalar largest = 3*(1 - share)*speed/sqr(x.distance);
         if (share > SMALL)
         {
             const scalar y =
-                x.distance + max(ahead[c].way/ahead[c].share & n, h/4);
+                x.distance
+              + max(ahead[c].way/ahead[c].share & n, cells_.cellSize(c)/4);
             const vector beyond(ahead[c].velocity/ahead[c].share - v);
             const vector along(beyond - (beyond & n)*n);
+            const profile both
+            {
+                speed, x.distance, squares,
+                max(along & slip, scalar(0))/speed, y,
+                n & (cells_.spreadOfWhole(c) & n)
+            };
             const scalar Re = rho[c]*mag(along)*y/mu[c];
-            largest +=
-                2*share/(1 + sqr(Re/thin))
-               *max(along & slip, scalar(0))/(speed*sqr(y));
+            largest += share*both.curvature()/(1 + sqr(Re/thin));
         }
         const scalar curvature =
             (mesh_.nGeometricD() - 1)*speed/(mag(x.arm)*x.distance)
           - (gradP[c] & slip)/(mu[c]*speed);
-        const scalar squaredLength =
-            share*(1 + 2*fourthPowers(mesh_, c, n))/24*sqr(h)
-          + (1 - share)*2.0/3*sqr(x.distance);
-
-        // A small cell is held anyway; it must not matter when it vanishes
-        link_[i] *=
-            1
-          + min(2*cells_.fluid()[c], scalar(1))
-           *min
-            (
-                squaredLength/speed*max(min(curvature, largest), scalar(0)),
-                most
-            );
+        const scalar bounded = max(min(curvature, largest), scalar(0));
+        link_[i] *= 1 + min(squares*bounded/(2*speed), most);
+        result.add(x, -bounded*slip/speed);
     }
+    return result;
 }

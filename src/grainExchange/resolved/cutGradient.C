@@ -116,7 +116,6 @@ Foam::tmp<Foam::surfaceVectorField> Foam::cutGrains::besideTheLine
     const surfaceScalarField& mu
 ) const
 {
-    const volVectorField& shift = cells_.shift();
     const volScalarField& fluid = cells_.fluid();
     const tmp<volTensorField> tgradient(gradient(U));
     surfaceVectorField n(mesh_.Sf()/mesh_.magSf());
@@ -125,26 +124,7 @@ Foam::tmp<Foam::surfaceVectorField> Foam::cutGrains::besideTheLine
     (
         fvc::interpolate(fluid*tgradient())/fluidOfFaces()
     );
-    surfaceVectorField way(mesh_.delta()());
-    forAll(mesh_.owner(), i)
-    {
-        way[i] += shift[mesh_.neighbour()[i]] - shift[mesh_.owner()[i]];
-    }
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        if (patch.coupled())
-        {
-            const fvPatchVectorField& x = shift.boundaryField()[patchi];
-            way.boundaryFieldRef()[patchi] +=
-                x.patchNeighbourField() - x.patchInternalField();
-        }
-        else
-        {
-            // As the two-point gradient there has it
-            way.boundaryFieldRef()[patchi] = n.boundaryField()[patchi];
-        }
-    }
+    const surfaceVectorField way(cells_.ways());
     const surfaceScalarField perLength
     (
         cells_.conductance()*mesh_.nonOrthDeltaCoeffs()

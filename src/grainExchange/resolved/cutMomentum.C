@@ -54,8 +54,9 @@ void Foam::cutGrains::addToMomentum
       - fvm::Sp(fvc::div(flux), U)
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
 
-    setLinks(U);
+    const cutCurvature curvature(setLinks(U));
     UEqn -= fvc::surfaceIntegrate(besideTheLine(U, mu));
+    UEqn -= fvc::surfaceIntegrate(curvature.flux(mu));
 
     outflow_ =
         fvc::surfaceIntegrate(massFlux - all + flux)().primitiveField()
@@ -129,13 +130,11 @@ void Foam::cutGrains::startCorrections
     }
     sumOverRanks(resists_);
     setInertia();
-    const volScalarField& fluid = cells_.fluid();
-    left_ = smallerFluid()*fvc::interpolate(fluid*inertia/A)/fluidOfFaces();
+    const surfaceScalarField diagonal(fvc::interpolate(A));
+    left_ = smallerFluid()*fvc::interpolate(inertia)/(fluidOfFaces()*diagonal);
     const surfaceScalarField& cut = cells_.cutFaces();
     mobility =
-        (1 - cut)*mobility
-      + cut*cells_.open()*fvc::interpolate(sqr(fluid)/A)
-       /fluidOfFaces();
+        (1 - cut)*mobility + cut*cells_.open()*fluidOfFaces()/diagonal;
 }
 
 
@@ -163,7 +162,7 @@ void Foam::cutGrains::correctFlux
         (1 - cut)*flux
       + cut*cells_.open()
        *(
-            fvc::flux(fluid*AU/A_())/fluidOfFaces()
+            fvc::flux(AU)/fvc::interpolate(A_())
           + left_()*(oldFaceVelocity - tofCells)
         );
 }

@@ -102,6 +102,17 @@ def test_two_grains_radiate_to_each_other(clone, dimension):
     assert cold > 303
 
 
+@DIMENSIONS
+def test_light_has_a_range_of_its_own(clone, dimension):
+    """Layers of fluid as thick as grains are wide let nothing beyond it."""
+    light = f"radiation {{ type {SHAPE[dimension]}; range 1.1; }}"
+    layer = f"throughFluid {{ type {SHAPE[dimension]}; conductivity 1e-30; lens 1; }}"
+    centres = place(0.04, 0.04 + 2.6 * RADIUS)(dimension)
+    case = box(clone, centres, dimension, light + layer, [600, 300])
+    case.run("dryGrainFoam")
+    np.testing.assert_allclose(case.grains()["temperature"], [600, 300], rtol=1e-12)
+
+
 def test_chain_is_in_equilibrium_with_the_floor(clone):
     """Spheres that do not touch; steps so long that all are as warm as the only warm wall."""
     heights = 1.05 * RADIUS + 2.04 * RADIUS * np.arange(9)

@@ -102,6 +102,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::limitedFlux
     const word scheme("div(phi,alpha)");
     const word compression("div(phirb,alpha)");
     const volScalarField& alpha = fluid_.alpha();
+    const volScalarField other(1.0 - alpha);
     const fvMesh& mesh = alpha.mesh();
 
     surfaceScalarField phir
@@ -120,7 +121,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::limitedFlux
         fvc::flux(F, alpha, scheme)
       + fvc::flux
         (
-           -fvc::flux(-phir, fluid_.mixture().alpha2(), compression),
+           -fvc::flux(-phir, other, compression),
             alpha,
             compression
         );

@@ -184,7 +184,10 @@ std::vector<double> Foam::nearHeat<D>::areas
     {
         const nscd::NearBodies& near = pairs[i];
         const double radius = grains.radius[near.first];
-        result[i] = sight_(pair(grains, near), 2*range_*radius);
+        const bool inRange =
+            near.second < 0
+         || near.distance < range_*(radius + grains.radius[near.second]);
+        result[i] = inRange ? sight_(pair(grains, near), 2*range_*radius) : 0;
         for (const int grain : {near.first, near.second})
         {
             if (grain >= 0)

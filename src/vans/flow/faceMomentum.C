@@ -58,7 +58,7 @@ tmp<surfaceScalarField> limiterBetweenFluids
         min
         (
             mag(difference)
-           /(mag(flux) + dimensionedScalar("small", flux.dimensions(), SMALL)),
+           /(mag(flux) + dimensionedScalar("small", flux.dimensions(), VSMALL)),
             scalar(1)
         )
     );

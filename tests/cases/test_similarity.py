@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Free surfaces do not know how large they are, nor which of the fluids is called water."""
+
+import numpy as np
+import pytest
+from grain_box import control, replace, write_csv
+from water_box import column, set_water, water_box
+
+FLUIDS = "constant/transportProperties"
+GRAINS = "constant/grainProperties"
+
+
+def collapse(clone, water, centres, radius, name, densities=(1000.0, 1.0)):
+    """Water that falls upon grains of which those above four cells are resolved."""
+    cells = (16, 16)
+    case = water_box(
+        clone, water, centres, radius, cells=cells, sigma=0.07, densities=densities, name=name
+    )
+    control(case, deltaT=1e-3, endTime=0.04, writeInterval=40)
+    return case
+
+
+def exchange(case, angle):
+    """Air where water is, with its viscosity, and the angle in the other fluid."""
+    text = (case.path / FLUIDS).read_text()
+    text = text.replace("1.48e-5", "other").replace("1e-6", "1.48e-5").replace("other", "1e-6")
+    (case.path / FLUIDS).write_text(text)
+    replace(case, GRAINS, f"contactAngle {angle};", f"contactAngle {180 - angle};")
+
+
+@pytest.mark.parametrize("angle", [60, 120])
+def test_fluids_that_change_their_names_move_as_before(clone, angle):
+    """Of grains with a contact angle, too, beyond whose surface the fraction is bent."""
+    rest, columns = (1000.0, 1.0), column(0.06, 0.07)
+    fields = []
+    for swapped in (False, True):
+        water = (lambda low, high: 1 - columns(low, high)) if swapped else columns
+        case = collapse(
+            clone, water, [(0.053, 0.041)], 0.021, str(swapped), rest[::-1] if swapped else rest
+        )
+        replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")
+        replace(case, GRAINS, "density 2500;", f"density 2500; contactAngle {angle};")
+        if swapped:
+            exchange(case, angle)
+        case.run("grainInterFoam")
+        fields.append((case.field("alpha.water"), case.field("U")))
+    # The tolerance of the linear solvers
+    np.testing.assert_allclose(fields[0][0] + fields[1][0], 1, atol=1e-9)
+    np.testing.assert_allclose(fields[0][1], fields[1][1], atol=1e-8)
+
+
+def test_cells_of_some_micrometres_are_as_good_as_larger_ones(clone):
+    """All lengths over 1024, with the same dimensionless numbers."""
+    centres = np.array([(0.03, 0.02), (0.071, 0.04), (0.05, 0.08)])
+    radii = np.array([0.004, 0.021, 0.002])
+    fields = []
+    for size in (1.0, 2.0**-10):
+        water = column(0.06 * size, 0.07 * size)
+        case = collapse(clone, water, centres, radii, str(size))
+        write_csv(case, size * centres, size * radii)
+        replace(case, "system/blockMeshDict", "\nvertices", f"\nscale {size!r};\nvertices")
+        case.run("blockMesh")
+        set_water(case, water)
+        replace(case, "constant/g", "(0 -9.81 0)", f"(0 {-9.81 * size!r} 0)")
+        for nu in (1e-6, 1.48e-5):
+            text = f"{nu:g}".replace("e-0", "e-")
+            replace(case, FLUIDS, f"nu {text};", f"nu {nu * size**2!r};")
+        replace(case, FLUIDS, "sigma 0.07", f"sigma {0.07 * size**3!r}")
+        case.run("grainInterFoam")
+        fields.append((case.field("alpha.water"), case.field("U") / size))
+    np.testing.assert_allclose(fields[0][0], fields[1][0], atol=1e-8)
+    np.testing.assert_allclose(fields[0][1], fields[1][1], atol=1e-7)

@@ -54,7 +54,11 @@ def test_steps_keep_to_the_limit_that_governs(clone, limits, governs):
     case.run("grainFoam")
     length = steps(case)
     book = ledger(case)
-    assert governing(case).count(governs) >= 0.5 * len(length)
+    # From the first time on: at the start the fluid is at rest, and steps grow
+    by = governing(case)
+    by = by[by.index(governs) :]
+    assert by.count(governs) >= 0.5 * len(by)
+    assert len(by) >= 0.5 * len(length)
     assert book["time"][-1] == pytest.approx(0.2, rel=1e-12)
     # Longer by a fifth at most, whatever limits do
     assert np.all(length[1:] <= 1.2 * length[:-1] * (1 + 1e-8))

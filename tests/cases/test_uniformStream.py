@@ -31,6 +31,23 @@ def test_one_grain(clone, diameter, density):
     np.testing.assert_allclose(U, np.broadcast_to([SPEED, 0, 0], U.shape), atol=1e-9 * SPEED)
 
 
+@pytest.mark.parametrize("scheme", ["Euler", "backward"])
+@pytest.mark.parametrize("diameter", [1, 1.3, 3.9])
+@pytest.mark.parametrize("density", [500, 250, 100])
+def test_light_grains_in_thin_fluid_for_long(clone, diameter, density, scheme):
+    """Aslant, without a viscosity to speak of: what a face remembers grew by a third a step."""
+    velocity = (SPEED, 0.6 * SPEED)
+    case = stream(clone, diameter * CELL, density)
+    write_csv(case, [(0.043, 0.052)], diameter * CELL / 2, [velocity])
+    replace(case, "0/U", f"uniform ({SPEED} 0 0)", f"uniform ({SPEED} {0.6 * SPEED} 0)")
+    replace(case, "constant/transportProperties", "1e-4", "1e-6")
+    replace(case, "system/fvSchemes", "Euler", scheme)
+    control(case, deltaT=0.1 * CELL / SPEED, endTime=30 * CELL / SPEED, writeInterval=300)
+    case.run("grainFoam")
+    U = case.field("U")
+    np.testing.assert_allclose(U, np.broadcast_to([*velocity, 0], U.shape), atol=1e-11 * SPEED)
+
+
 @pytest.mark.parametrize("mesh", ["tetrahedra", "warped"])
 # In edges of cells, the last one resolved
 @pytest.mark.parametrize("diameter", [0.7, 1.5, 5])

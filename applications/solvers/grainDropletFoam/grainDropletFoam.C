@@ -124,7 +124,7 @@ int main(int argc, char *argv[])
         droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
         exchange.setEps();
         boiling.keepGrowth();
-        exchange.discharge(fields.U, fields.phiU);
+        exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
 
         carried.carry
         (

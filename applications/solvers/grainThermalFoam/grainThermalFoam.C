@@ -105,7 +105,7 @@ int main(int argc, char *argv[])
 
         steam.tell(grains);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
-        exchange.discharge(fields.U, fields.phiU);
+        exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
 
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);

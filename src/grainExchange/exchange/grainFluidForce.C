@@ -78,7 +78,7 @@ void Foam::grainFluidExchange::moveGrains
 void Foam::grainFluidExchange::discharge
 (
     volVectorField& U,
-    surfaceScalarField& phiU
+    std::initializer_list<surfaceScalarField*> fluxes
 )
 {
     const stopwatch::lap lap(time_);
@@ -121,5 +121,8 @@ void Foam::grainFluidExchange::discharge
     change.correctBoundaryConditions();
     U += change;
     U.correctBoundaryConditions();
-    phiU += fvc::flux(change);
+    for (surfaceScalarField* flux : fluxes)
+    {
+        *flux += fvc::flux(change);
+    }
 }

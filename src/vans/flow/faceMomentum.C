@@ -80,20 +80,24 @@ tmp<volScalarField> shareOf
 }
 
 
-//- Flux of a face less that of its cells, both weighted by what moves with the
-//  fluid, at the beginning of the step, per time
+//- Flux of a face less that of its cells, each by its part in the equation of the
+//  face, at the beginning of the step, per time
 tmp<surfaceScalarField> changeOfOldFlux
 (
-    const volScalarField& A,
+    const faceMomentum& faces,
     const stepCoefficients& step,
     const resolvedTerm& resolved,
     const volVectorField& U,
     const volScalarField& rho,
-    const surfaceScalarField& phiU
+    const surfaceScalarField& phi
 )
 {
     const dimensionedScalar& deltaT = rho.time().deltaT();
-    const surfaceScalarField alphaf(fvc::interpolate(step.alpha));
+    const surfaceScalarField ofBoth(faces.ofFaces(step.alpha));
+    const auto ofCells = [&](const volVectorField& u)
+    {
+        return faces.fluxOfFaces(step.alpha*u)/ofBoth;
+    };
     if (resolved.isActive())
     {
         // Drag and viscosity bring the flux of a face to that of its cells.  With
@@ -101,19 +105,19 @@ tmp<surfaceScalarField> changeOfOldFlux
         // the time step (doc/theory, eq. 3.14).
         const surfaceScalarField difference
         (
-            phiU.oldTime() - fvc::flux(step.alpha*U.oldTime())/alphaf
+            phi.oldTime() - ofCells(U.oldTime())
         );
         return
-            limiterBetweenFluids(phiU.oldTime(), difference, rho)
-           *fvc::interpolate(leastInertia(step, rho)/(A*deltaT))
+            limiterBetweenFluids(phi.oldTime(), difference, rho)
+           *fvc::interpolate(leastInertia(step, rho)/(faces.A*deltaT))
            *difference/deltaT;
     }
 
     // The same difference for OpenFOAM, which takes the mean of the cells
-    surfaceScalarField toMean("toMean", phiU);
+    surfaceScalarField toMean("toMean", phi);
     const auto shift = [&](surfaceScalarField& flux, const volVectorField& u)
     {
-        flux += fvc::flux(u) - fvc::flux(step.alpha*u)/alphaf;
+        flux += fvc::flux(u) - ofCells(u);
     };
     shift(toMean.oldTime(), U.oldTime());
     if (toMean.nOldTimes() > 1 && U.nOldTimes() > 1)
@@ -133,11 +137,12 @@ Foam::faceMomentum::faceMomentum
     const exchangeFields& grains,
     resolvedTerm& resolved,
     const volScalarField& rho,
-    const surfaceScalarField& phiU
+    const surfaceScalarField& phiMomentum
 )
 :
     fluidA("fluidA", UEqn.A() - grains.beta),
     A("A", max(fluidA, leastA(step, rho))),
+    beta(grains.beta),
     share
     (
         "share",
@@ -153,20 +158,20 @@ Foam::faceMomentum::faceMomentum
           + grains.K*(A + grains.beta)
         )
     ),
-    inertiaFlux
-    (
-        "inertiaFlux",
-        fvc::interpolate(share*perForce*step.alpha*step.eps*rho)
-       *changeOfOldFlux(A, step, resolved, UEqn.psi(), rho, phiU)
-    ),
     perShare
     (
         "perShare",
         1
        /(
             fvc::interpolate(share*perForce*A)
-          + sharef*fvc::interpolate(perForce*grains.beta)
+          + sharef*fvc::interpolate(perForce*beta)
         )
+    ),
+    inertiaFlux
+    (
+        "inertiaFlux",
+        fvc::interpolate(share*perForce*step.alpha*step.eps*rho)
+       *changeOfOldFlux(*this, step, resolved, UEqn.psi(), rho, phiMomentum)
     ),
     rAUf("rAUf", sharef*perShare),
     mobility("mobility", rAUf),
@@ -189,6 +194,41 @@ Foam::faceMomentum::faceMomentum
         diffusivity +=
             grains.pressureDiffusion*rho.time().deltaT()/fvc::interpolate(rho);
     }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::ofFaces
+(
+    const volScalarField& x
+) const
+{
+    return
+        fvc::interpolate(share*perForce*A*x)
+      + sharef*fvc::interpolate(perForce*beta*x);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::fluxOfFaces
+(
+    const volVectorField& x
+) const
+{
+    return
+        fvc::flux(share*perForce*A*x) + sharef*fvc::flux(perForce*beta*x);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::fluidFlux
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& gradient,
+    const volScalarField& alpha,
+    const exchangeFields& grains
+) const
+{
+    return
+        (flux/perShare - fluxOfFaces(grains.G) + ofFaces(grains.K)*gradient)
+       /ofFaces(alpha);
 }
 
 

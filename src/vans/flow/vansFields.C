@@ -63,6 +63,7 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     p_rgh(at(mesh, "p_rgh", IOobject::MUST_READ), mesh),
     U(at(mesh, "U", IOobject::MUST_READ), mesh),
     phiU(at(mesh, "phiU", IOobject::READ_IF_PRESENT), fvc::flux(evaluateCoupled(U))),
+    phiMomentum(at(mesh, "phiMomentum", IOobject::READ_IF_PRESENT), phiU),
     phiOpen(at(mesh, "phiOpen", IOobject::READ_IF_PRESENT), phiU),
     phi(at(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(U)),
     areOfStep(isThere(mesh, "phi"))

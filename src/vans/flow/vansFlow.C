@@ -99,10 +99,12 @@ void Foam::vansFlow::setHeight()
 void Foam::vansFlow::startStep()
 {
     fields_.phi.oldTime();
+    fields_.phiMomentum.oldTime();
     if (areFluxesOfU_)
     {
         resolved_.setSurfaceFlux(fields_.phi.oldTime());
         resolved_.setSurfaceFlux(fields_.phiU.oldTime());
+        resolved_.setSurfaceFlux(fields_.phiMomentum.oldTime());
         areFluxesOfU_ = false;
     }
     step_.reset

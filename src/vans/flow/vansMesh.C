@@ -43,9 +43,11 @@ void Foam::vansFlow::beforeMeshChange()
     // old time is asked for would have the changed one as its old time
     keepOldTime(fields_.U);
     keepOldTime(fields_.phiU);
+    keepOldTime(fields_.phiMomentum);
     keepOldTime(fields_.phi);
 
     faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
+    faceMomentumU_.reset(withFlux(fields_.U, fields_.phiMomentum).ptr());
     faceMixtureU_.reset(withFlux(fields_.U, fields_.phi).ptr());
     step_.clear();
     UEqn_.clear();
@@ -62,6 +64,7 @@ void Foam::vansFlow::meshChanged()
     if (mesh_.topoChanging())
     {
         fields_.phiU.oldTime() = fvc::flux(fields_.U);
+        fields_.phiMomentum.oldTime() = fvc::flux(fields_.U);
         fields_.phi.oldTime() = fvc::flux(fields_.U);
         areFluxesOfU_ = true;
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
@@ -69,10 +72,13 @@ void Foam::vansFlow::meshChanged()
     else
     {
         fields_.phiU.oldTime() = mesh_.Sf() & faceU_();
+        fields_.phiMomentum.oldTime() = mesh_.Sf() & faceMomentumU_();
         fields_.phi.oldTime() = mesh_.Sf() & faceMixtureU_();
     }
     fields_.phiU = fields_.phiU.oldTime();
+    fields_.phiMomentum = fields_.phiMomentum.oldTime();
     fields_.phi = fields_.phi.oldTime();
     faceU_.clear();
+    faceMomentumU_.clear();
     faceMixtureU_.clear();
 }

@@ -205,7 +205,7 @@ void Foam::vansFlow::predict(const bool solves)
     (
         new faceMomentum
         (
-            *UEqn_, *step_, grains_, resolved_, fluid_.rho(), fields_.phiU
+            *UEqn_, *step_, grains_, resolved_, fluid_.rho(), fields_.phiMomentum
         )
     );
 }

@@ -166,14 +166,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
           + fvc::interpolate(grains_.K)*tgradient()
         )
        /fvc::interpolate(step_->alpha);
+    fields_.phiMomentum =
+        faces.fluidFlux(fields_.phi, tgradient(), step_->alpha, grains_);
     if (resolved_.isActive())
     {
         // At a body the flux is that of its surface, and fluid beside it moves so
         const surfaceScalarField& locked = resolved_.lockedFaces();
         fields_.phi += locked*(fields_.phiOpen - fields_.phi);
         fields_.phiU += locked*(fields_.phiOpen - fields_.phiU);
+        fields_.phiMomentum += locked*(fields_.phiOpen - fields_.phiMomentum);
     }
-    resolved_.correctFaceVelocity(fields_.phiOpen, fields_.phiU);
+    for (surfaceScalarField* flux : {&fields_.phiU, &fields_.phiMomentum})
+    {
+        resolved_.correctFaceVelocity(fields_.phiOpen, *flux);
+    }
     fields_.areOfStep = true;
     return tgradient;
 }

@@ -246,3 +246,12 @@ def test_four_ranks(clone):
     many.run("reconstructPar -latestTime")
     # As of two
     np.testing.assert_allclose(one.field("dye"), many.field("dye"), rtol=0, atol=1e-4)
+
+
+@pytest.mark.parametrize("name", ["p", "eps", "kappa", "transportPotential"])
+def test_scalars_have_names_of_their_own(clone, name):
+    case = settling(clone, "unresolved", 1e-5)
+    replace(case, "constant/transportProperties", "dye {", f"{name} {{")
+    assert case.run("grainFoam", check=False) == 1
+    for fragment in (f"'{name}'", "a field of the solver", "other than", "transportPotential"):
+        assert fragment in case.log

@@ -100,6 +100,7 @@ BAD = {
         "(Antoine ClausiusClapeyron)",
     ),
     "no pressure": (add(ANTOINE.format(pressure=0, temperature=300)), "'pressure'"),
+    "kilopascals": (add(ANTOINE.format(pressure=101.325, temperature=300)), "'pressure'"),
     "capacity of the gas": (
         lambda case: replace(case, FLUID, f"Cp {GAS_CP};", "Cp polynomial ((1000 0));"),
         "a number > 0, as grainDropletFoam",

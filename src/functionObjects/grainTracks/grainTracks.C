@@ -63,7 +63,8 @@ bool Foam::functionObjects::grainTracks::read(const dictionary& dict)
         {
             unknown.erase(grainsPtr->id(i));
         }
-        if (unknown.size())
+        // Later on grains may have left
+        if (unknown.size() && mesh_.time().value() <= 0)
         {
             dictionaryInput::badValue
             (

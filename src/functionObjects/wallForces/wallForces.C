@@ -55,6 +55,8 @@ bool Foam::functionObjects::wallForces::read(const dictionary& dict)
 
 void Foam::functionObjects::wallForces::findWalls(const wordList& all)
 {
+    const wordList last(names_);
+    PtrList<OFstream> lastFiles(std::move(files_));
     names_ = all;
     if (dict_.found("walls"))
     {
@@ -77,18 +79,31 @@ void Foam::functionObjects::wallForces::findWalls(const wordList& all)
             );
         }
     }
-    files_.clear();
+
+    // Tables go on where their walls stay
+    files_.resize(names_.size());
+    forAll(names_, i)
+    {
+        const label before = last.find(names_[i]);
+        if (before >= 0 && before < lastFiles.size())
+        {
+            files_.set(i, lastFiles.set(before, nullptr));
+        }
+    }
 }
 
 
 void Foam::functionObjects::wallForces::openFiles()
 {
     const fileName dir(tableDirectory(time_, name()));
-    for (const word& wall : names_)
+    forAll(names_, i)
     {
-        files_.append(new OFstream(dir/wall + ".csv"));
-        files_.last().precision(12);
-        files_.last() << "time,contacts,fx,fy,fz,mx,my,mz" << nl;
+        if (!files_.set(i))
+        {
+            files_.set(i, new OFstream(dir/names_[i] + ".csv"));
+            files_[i].precision(12);
+            files_[i] << "time,contacts,fx,fy,fz,mx,my,mz" << nl;
+        }
     }
 }
 
@@ -110,10 +125,7 @@ bool Foam::functionObjects::wallForces::write()
     {
         return true;
     }
-    if (files_.empty())
-    {
-        openFiles();
-    }
+    openFiles();
     forAll(walls_, i)
     {
         label number = 0;

@@ -51,8 +51,34 @@ Foam::saturatedSurface::saturatedSurface
     temperature_(file("dropletTemperature")),
     waiting_(file("dropletVapour"))
 {
+    checkCurve(dict);
     temperature_.resize(nDroplets, initial_);
     waiting_.resize(nDroplets, 0);
+}
+
+
+void Foam::saturatedSurface::checkCurve(const dictionary& dict) const
+{
+    const scalar ofStart = curve_->pressure(initial_);
+    if (!(ofStart < pressure_))
+    {
+        dictionaryInput::badValue
+        (
+            dict, "pressure", name(pressure_),
+            "more than the vapour's of 'curve' at 'temperature', "
+          + name(ofStart) + " Pa"
+        );
+    }
+    const scalar boiling = liquid_.boilingTemperature;
+    const scalar ofBoiling = curve_->pressure(boiling);
+    if (mag(ofBoiling/pressure_ - 1) > 0.1)
+    {
+        WarningInFunction
+            << "The curve of " << dict.name() << " has " << ofBoiling
+            << " Pa at boilingTemperature, " << boiling << " K, and 'pressure' is "
+            << pressure_ << " Pa: are its coefficients for the units of doc/theory, "
+            << "eq. 10.10?" << endl;
+    }
 }
 
 

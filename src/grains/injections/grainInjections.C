@@ -182,6 +182,10 @@ void Foam::grainInjections<D>::load(const fileName& file)
 {
     if (!isFile(file, false))
     {
+        if (!empty())
+        {
+            Info<< "There is no " << file << ": injections count from zero" << nl << endl;
+        }
         return;
     }
     const dictionary state((IFstream(file)()));

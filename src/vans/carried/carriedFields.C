@@ -9,6 +9,32 @@
 #include "surfaceInterpolate.H"
 #include "vansTurbulence.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal for the name of a field that the solver has, or will have
+void checkName(const dictionary& dict, const word& name, const fvMesh& mesh)
+{
+    static const wordList taken
+    {
+        "U", "p", "p_rgh", "eps", "phi", "phiU", "phiMomentum", "phiOpen", "phiShare",
+        "gradP_rgh", "kappa", "fluidShare", "transportPotential"
+    };
+    if (taken.found(name) || mesh.thisDb().found(name))
+    {
+        dictionaryInput::badValue
+        (
+            dict, name, "the name of a field of the solver",
+            "names of scalars other than " + dictionaryInput::listed(taken)
+        );
+    }
+}
+
+}
+
+
 void Foam::carriedFields::readScalars
 (
     const fvMesh& mesh,
@@ -25,6 +51,7 @@ void Foam::carriedFields::readScalars
     {
         const dictionary& entries = dictionaryInput::subDict(dict, name);
         dictionaryInput::checkKeywords(entries, {"D"});
+        checkName(dict, name, mesh);
         D_.append
         (
             dictionaryInput::getScalarOrDefault

@@ -68,13 +68,17 @@ int main(int argc, char *argv[])
     while (runTime.run())
     {
         carried.startStep();
-        exchange.inject(fields.U);
+        if (exchange.inject(fields.U))
+        {
+            carried.makeRoom();
+        }
         List<liquidDroplets::fate> fates;
         if (droplets.change(fates))
         {
             boiling.follow(fates);
             droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
             exchange.setEps();
+            carried.makeRoom();
         }
         timeStep.set(flow.relativePhiU(), droplets.limits());
         ++runTime;

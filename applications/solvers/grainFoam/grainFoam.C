@@ -64,7 +64,10 @@ int main(int argc, char *argv[])
     while (runTime.run())
     {
         carried.startStep();
-        exchange.inject(fields.U);
+        if (exchange.inject(fields.U))
+        {
+            carried.makeRoom();
+        }
         timeStep.set(flow.relativePhiU());
         ++runTime;
 
@@ -96,9 +99,13 @@ int main(int argc, char *argv[])
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
 
-        if (carried.isActive())
+        if (carried.isActive() || exchange.fields().isStirred())
         {
             carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
+        }
+        else
+        {
+            carried.skip();
         }
 
         ledger.endStep(fields.phi, fields.phiU);

@@ -69,7 +69,10 @@ int main(int argc, char *argv[])
     while (runTime.run())
     {
         carried.startStep();
-        exchange.inject(fields.U);
+        if (exchange.inject(fields.U))
+        {
+            carried.makeRoom();
+        }
         timeStep.set(flow.relativePhiU());
         ++runTime;
 

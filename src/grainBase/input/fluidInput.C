@@ -88,13 +88,14 @@ void Foam::checkPISO
     wordList allowed
     ({
         "nCorrectors", "nNonOrthogonalCorrectors", "momentumPredictor",
-        "pRefCell", "pRefPoint", "pRefValue"
+        "closeMomentum", "pRefCell", "pRefPoint", "pRefValue"
     });
     allowed.append(others);
     dictionaryInput::checkKeywords(dict, allowed);
 
     dictionaryInput::getLabelOrDefault(dict, "nCorrectors", 1, 1);
     dictionaryInput::getLabelOrDefault(dict, "nNonOrthogonalCorrectors", 0, 0);
+    dictionaryInput::getWordOrDefault(dict, "closeMomentum", "no", {"yes", "no"});
 }
 
 

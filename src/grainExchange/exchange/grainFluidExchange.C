@@ -218,12 +218,14 @@ void Foam::grainFluidExchange::meshChanged()
 }
 
 
-void Foam::grainFluidExchange::inject(const volVectorField& U)
+bool Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);
     fields_.freePatches = openings_.freePatches(U);
-    if (grains_.inject(U))
+    if (!grains_.inject(U))
     {
-        setEps();
+        return false;
     }
+    setEps();
+    return true;
 }

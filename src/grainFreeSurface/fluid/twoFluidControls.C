@@ -45,14 +45,9 @@ void refuseRefinementInPlane(const Foam::fvMesh& mesh)
 
 void Foam::checkTwoFluidControls(const fvMesh& mesh)
 {
-    checkPISO
-    (
-        mesh.solutionDict(), {"nOuterCorrectors", "correctPhi", "closeMomentum"},
-        "PIMPLE"
-    );
+    checkPISO(mesh.solutionDict(), {"nOuterCorrectors", "correctPhi"}, "PIMPLE");
     const dictionary& dict = mesh.solutionDict().subDict("PIMPLE");
     dictionaryInput::getLabelOrDefault(dict, "nOuterCorrectors", 1, 1, 1);
-    dictionaryInput::getWordOrDefault(dict, "closeMomentum", "no", {"yes", "no"});
 
     refuseFiles(mesh.time(), {"MRFProperties"});
     requireDictionaries

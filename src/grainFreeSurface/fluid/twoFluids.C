@@ -6,51 +6,8 @@
 #include "twoFluids.H"
 
 #include "coupledPatches.H"
-#include "exchangeFields.H"
 #include "fvc.H"
-#include "IOdictionary.H"
 #include "upwind.H"
-
-namespace
-{
-
-Foam::IOobject restartField(const Foam::fvMesh& mesh, const char* name)
-{
-    using namespace Foam;
-    return IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::AUTO_WRITE
-    );
-}
-
-
-//- Length of the step that ended with the state on disk: OpenFOAM has it as that
-//  of the next one, and that of the step before as the last
-Foam::scalar lastDeltaT(const Foam::Time& time)
-{
-    using namespace Foam;
-    const IOdictionary state
-    (
-        IOobject
-        (
-            "time",
-            time.timeName(),
-            "uniform",
-            time,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    return state.getOrDefault("deltaT", time.deltaT0Value());
-}
-
-}
-
 
 Foam::twoFluids::twoFluids
 (
@@ -78,26 +35,7 @@ Foam::twoFluids::twoFluids
         mesh_,
         dimensionedScalar(dimDynamicViscosity, Zero)
     ),
-    massBefore_
-    (
-        restartField(mesh_, "massBefore"),
-        mesh_,
-        dimensionedScalar(dimDensity, Zero)
-    ),
-    rhoPhi_
-    (
-        restartField(mesh_, "rhoPhi"),
-        mesh_,
-        dimensionedScalar(dimMass/dimTime, Zero)
-    ),
-    deltaT_
-    (
-        "deltaT",
-        dimTime,
-        massBefore_.typeHeaderOk<volScalarField>(true)
-      ? lastDeltaT(U.time())
-      : 0
-    )
+    mass_(mesh_)
 {
     evaluateCoupled(alpha());
     correct();
@@ -150,32 +88,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::faceForce() const
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::twoFluids::isCarried
-(
-    const volScalarField& share
-) const
-{
-    // Carried by its own fraction, of which the momentum equation has another
-    // one in cells that resolved grains cut or cover
-    const volScalarField& fraction =
-        mesh_.lookupObject<volScalarField>("fluidFraction");
-    return pos(1e-6 - mag(share - max(fraction, exchangeFields::epsMin)));
-}
-
-
 Foam::tmp<Foam::volScalarField> Foam::twoFluids::inertia
 (
     const volScalarField& share
 ) const
 {
-    if (deltaT_.value() <= 0)
-    {
-        return share*rho_;
-    }
-    const volScalarField carried(isCarried(share));
-    return
-        carried*max(massBefore_, exchangeFields::epsMin*rho_)
-      + (1 - carried)*share*rho_;
+    return mass_.inertia(share, rho_);
 }
 
 
@@ -185,24 +103,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::massFlux
     const surfaceScalarField& phiEps
 ) const
 {
-    tmp<surfaceScalarField> tflux
+    return mass_.flux
     (
-        new surfaceScalarField
+        share,
+        tmp<surfaceScalarField>
         (
-            "rhoPhi", phiEps*upwind<scalar>(mesh_, phiEps).interpolate(rho_)
+            new surfaceScalarField
+            (
+                "rhoPhi", phiEps*upwind<scalar>(mesh_, phiEps).interpolate(rho_)
+            )
         )
     );
-    if (deltaT_.value() > 0)
-    {
-        const surfaceScalarField carried
-        (
-            pos(fvc::interpolate(isCarried(share)) - (1 - SMALL))
-        );
-        // What it moved in its step it moves in this one
-        tflux.ref() +=
-            carried*(deltaT_/mesh_.time().deltaT()*rhoPhi_ - tflux());
-    }
-    return tflux;
 }
 
 
@@ -213,11 +124,11 @@ void Foam::twoFluids::setMass
     const surfaceScalarField& alphaFlux
 )
 {
-    massBefore_.primitiveFieldRef() = before;
-    massBefore_.correctBoundaryConditions();
-    rhoPhi_ =
-        mixture_.rho2()*flux + (mixture_.rho1() - mixture_.rho2())*alphaFlux;
-    deltaT_ = mesh_.time().deltaT();
+    mass_.set
+    (
+        before,
+        mixture_.rho2()*flux + (mixture_.rho1() - mixture_.rho2())*alphaFlux
+    );
 }
 
 
@@ -226,6 +137,6 @@ void Foam::twoFluids::meshChanged()
     levels_.meshChanged();
     if (mesh_.topoChanging())
     {
-        deltaT_.value() = 0;
+        mass_.forget();
     }
 }

@@ -213,7 +213,8 @@ void Foam::phaseFraction::carry
     const scalarField end(flux.volume());
     const scalarField massBefore
     (
-        start*fluid_.rho().primitiveField()/mesh.V().field()
+        (start/mesh.V().field() + deltaT*flux.source())
+       *fluid_.rho().primitiveField()
     );
     const scalar before = continued_.liquid(alpha, start);
 

@@ -12,12 +12,16 @@ Foam::grainLedger::grainLedger
 (
     const grainSystem& grains,
     const grainFluidExchange& exchange,
-    const carriedFields& carried
+    const carriedFields& carried,
+    const volVectorField& U,
+    const volScalarField& rho
 )
 :
     grains_(grains),
     exchange_(exchange),
     carried_(carried),
+    U_(U),
+    rho_(rho),
     mesh_(grains.mesh()),
     progress_(mesh_.time()),
     meanCourant_(0),
@@ -25,6 +29,7 @@ Foam::grainLedger::grainLedger
     momentumError_(0),
     divergence_(0),
     volumeDefect_(0),
+    fluidMomentum_(Zero),
     grainMomentumError_(0),
     carriedUnaccounted_(0)
 {
@@ -75,6 +80,7 @@ void Foam::grainLedger::startStep(const surfaceScalarField& phiU)
 void Foam::grainLedger::keepEps()
 {
     oldEps_ = exchange_.eps().primitiveField();
+    oldMass_ = oldEps_*rho_.primitiveField()*mesh_.V().field();
     oldEpsf_.reset(new surfaceScalarField(fvc::interpolate(exchange_.eps())));
 }
 
@@ -110,10 +116,11 @@ void Foam::grainLedger::endStep
       ? mag(given - received)/max(mag(received), VSMALL)
       : 0;
 
-    if (carried_.isActive())
+    if (carried_.hasCarried())
     {
         carriedUnaccounted_ = carried_.unaccounted();
     }
+    fluidMomentum_ = gSum((oldMass_*U_.primitiveField())());
     closeMomentum();
     print();
     write();

@@ -23,7 +23,7 @@ void Foam::grainLedger::print() const
         << " N s, differs by " << momentumError_
         << " from what the grains received" << nl;
 
-    if (carried_.isActive())
+    if (carried_.hasCarried())
     {
         const transportFlux& flux = carried_.flux();
         Info<< "Carried   defect " << flux.defect() << " of a cell, correction "
@@ -76,6 +76,8 @@ void Foam::grainLedger::write()
             "injectedMomentum_y,injectedMomentum_z,removed,removedVolume,"
             "removedMomentum_x,removedMomentum_y,removedMomentum_z,"
             "outside_x,outside_y,outside_z,"
+            "fluidMomentum_x,fluidMomentum_y,fluidMomentum_z,"
+            "grainMomentum_x,grainMomentum_y,grainMomentum_z,"
             "grainMomentumError,transportDefect,transportCorrection,"
             "volumeWithoutRoom,carriedUnaccounted,motionTime,exchangeTime,elapsedTime"
         );
@@ -88,6 +90,8 @@ void Foam::grainLedger::write()
     const vector& i = injected.momentum;
     const grainTally& removed = grains_.motion().removed();
     const vector& m = removed.momentum;
+    const vector& f = fluidMomentum_;
+    const vector p(grains_.motion().tally().momentum);
     const char c = ',';
 
     file_()
@@ -101,8 +105,10 @@ void Foam::grainLedger::write()
         << c << grains_.size() << c << injected.number << c << injected.volume
         << c << i.x() << c << i.y() << c << i.z() << c << removed.number << c << removed.volume
         << c << m.x() << c << m.y() << c << m.z()
-        << c << o.x() << c << o.y() << c << o.z() << c << grainMomentumError_;
-    if (carried_.isActive())
+        << c << o.x() << c << o.y() << c << o.z()
+        << c << f.x() << c << f.y() << c << f.z()
+        << c << p.x() << c << p.y() << c << p.z() << c << grainMomentumError_;
+    if (carried_.hasCarried())
     {
         const transportFlux& flux = carried_.flux();
         file_()

@@ -64,23 +64,6 @@ void Foam::carriedFields::readScalars
 }
 
 
-void Foam::carriedFields::setFlux
-(
-    const vansFields& fields,
-    const volScalarField& eps,
-    const bool tracks
-)
-{
-    flux_.reset
-    (
-        new transportFlux
-        (
-            eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh, tracks
-        )
-    );
-}
-
-
 Foam::carriedFields::carriedFields
 (
     const vansFields& fields,
@@ -88,17 +71,17 @@ Foam::carriedFields::carriedFields
     singleFluid& fluid,
     const bool isMore
 )
+:
+    flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh),
+    fluid_(&fluid),
+    isMore_(isMore),
+    hasCarried_(false),
+    makesRoom_(false)
 {
     readScalars(eps.mesh(), fluid.properties());
-
-    const bool isTurbulent = vansTurbulence::isSelected(eps.mesh());
-    if (isTurbulent || isMore || scalars_.size())
+    if (vansTurbulence::isSelected(eps.mesh()))
     {
-        setFlux(fields, eps, false);
-    }
-    if (isTurbulent)
-    {
-        turbulence_.reset(new vansTurbulence(fields, *flux_, fluid));
+        turbulence_.reset(new vansTurbulence(fields, flux_, fluid));
     }
 }
 
@@ -109,21 +92,30 @@ Foam::carriedFields::carriedFields
     const volScalarField& eps,
     const dictionary& transportProperties
 )
+:
+    flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh, true),
+    fluid_(nullptr),
+    isMore_(true),
+    hasCarried_(false),
+    makesRoom_(false)
 {
     readScalars(eps.mesh(), transportProperties);
-    setFlux(fields, eps, true);
 }
 
 
 Foam::carriedFields::~carriedFields() = default;
 
 
+bool Foam::carriedFields::isActive() const
+{
+    return isMore_ || turbulence_ || scalars_.size();
+}
+
+
 void Foam::carriedFields::startStep()
 {
-    if (isActive())
-    {
-        flux_->startStep();
-    }
+    flux_.startStep();
+    makesRoom_ = false;
 }
 
 
@@ -131,7 +123,7 @@ void Foam::carriedFields::beforeMeshChange()
 {
     for (fluidScalar& one : scalars_)
     {
-        one.beforeMeshChange(*flux_);
+        one.beforeMeshChange(flux_);
     }
 }
 
@@ -140,11 +132,12 @@ void Foam::carriedFields::meshChanged()
 {
     for (fluidScalar& one : scalars_)
     {
-        one.meshChanged(*flux_);
+        one.meshChanged(flux_);
     }
-    if (isActive())
+    flux_.meshChanged();
+    if (fluid_ && flux_.fraction().mesh().topoChanging())
     {
-        flux_->meshChanged();
+        fluid_->forgetMass();
     }
 }
 
@@ -157,7 +150,7 @@ void Foam::carriedFields::carry
 )
 {
     const fvMesh& mesh = share.mesh();
-    flux_->set
+    flux_.set
     (
         share,
         filled.size()
@@ -169,13 +162,30 @@ void Foam::carriedFields::carry
     {
         scalars_[i].carry
         (
-            *flux_, dimensionedScalar("D", dimViscosity, D_[i])
+            flux_, dimensionedScalar("D", dimViscosity, D_[i])
         );
     }
     if (turbulence_)
     {
-        turbulence_->correct(*flux_);
+        turbulence_->correct(flux_);
     }
+    if (fluid_ && makesRoom_)
+    {
+        fluid_->forgetMass();
+    }
+    else if (fluid_)
+    {
+        fluid_->setMass(flux_);
+    }
+    hasCarried_ = true;
+}
+
+
+void Foam::carriedFields::skip()
+{
+    flux_.skip();
+    fluid_->forgetMass();
+    hasCarried_ = false;
 }
 
 
@@ -187,7 +197,7 @@ Foam::scalar Foam::carriedFields::unaccounted() const
         worst = max
         (
             worst,
-            mag(one.unaccounted())/max(one.magnitude(*flux_), VSMALL)
+            mag(one.unaccounted())/max(one.magnitude(flux_), VSMALL)
         );
     }
     return worst;

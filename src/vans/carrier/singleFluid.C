@@ -7,7 +7,9 @@
 
 #include "dictionaryInput.H"
 #include "fluidInput.H"
+#include "fvc.H"
 #include "HeleShaw.H"
+#include "transportFlux.H"
 #include "viscosityModel.H"
 
 namespace
@@ -56,6 +58,7 @@ Foam::singleFluid::singleFluid
         U.mesh(),
         dimensionedScalar(dimDynamicViscosity, Zero)
     ),
+    mass_(U.mesh()),
     plates_
     (
         "plates",
@@ -140,6 +143,40 @@ Foam::tmp<Foam::volScalarField> Foam::singleFluid::wallDrag() const
         plates_.value() > 0
       ? plates_*mu_
       : tmp<volScalarField>();
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::singleFluid::inertia
+(
+    const volScalarField& share
+) const
+{
+    return mass_.inertia(share, rho_);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::singleFluid::massFlux
+(
+    const volScalarField& share,
+    const surfaceScalarField& phiEps
+) const
+{
+    return mass_.flux(share, carrier::massFlux(share, phiEps));
+}
+
+
+void Foam::singleFluid::setMass(const transportFlux& flux)
+{
+    mass_.set
+    (
+        rho_.primitiveField()
+       *(
+            flux.oldVolume()/rho_.mesh().V().field()
+          + rho_.time().deltaTValue()*flux.source()
+        ),
+        fvc::interpolate(rho_)
+       *(mass_.keepsCorrection() ? flux.added() : flux.flux())
+    );
 }
 
 

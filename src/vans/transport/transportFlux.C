@@ -97,8 +97,7 @@ Foam::transportFlux::transportFlux
             "transportPotential",
             mesh_.time().timeName(),
             mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
+            IOobject::READ_IF_PRESENT
         ),
         mesh_,
         dimensionedScalar(dimViscosity, Zero),
@@ -110,6 +109,7 @@ Foam::transportFlux::transportFlux
         mesh_,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
+    added_("addedToFlux", F_),
     isPaired_(isPaired(mesh_)),
     isShareLost_(false),
     defect_(0),
@@ -129,13 +129,35 @@ Foam::transportFlux::transportFlux
                     "phiShare",
                     mesh_.time().timeName(),
                     mesh_,
-                    IOobject::READ_IF_PRESENT,
-                    IOobject::AUTO_WRITE
+                    IOobject::READ_IF_PRESENT
                 ),
                 share
             )
         );
+        isShareLost_ = !returnReduce
+        (
+            lastShare_->typeHeaderOk<surfaceScalarField>(true), andOp<bool>()
+        );
     }
+    setWritten(IOobject::AUTO_WRITE);
+}
+
+
+void Foam::transportFlux::setWritten(const IOobject::writeOption option)
+{
+    X_.writeOpt() = option;
+    if (lastShare_)
+    {
+        lastShare_->writeOpt() = option;
+    }
+}
+
+
+void Foam::transportFlux::skip()
+{
+    fraction_ == eps_ + least;
+    isShareLost_ = true;
+    setWritten(IOobject::NO_WRITE);
 }
 
 
@@ -243,6 +265,7 @@ void Foam::transportFlux::set
     const bool isAlone = !mesh_.moving() && gMin(eps_.primitiveField()) >= 1;
     const scalar tolerance = tracks_ ? (isAlone ? 1e-5 : 1e-7) : 1e-12;
 
+    setWritten(IOobject::AUTO_WRITE);
     fraction_.oldTime();
     fraction_ == eps_ + least;
 
@@ -264,7 +287,7 @@ void Foam::transportFlux::set
         *lastShare_ == share;
         isShareLost_ = false;
     }
-    const surfaceScalarField predicted("predicted", F_);
+    added_ = -F_;
     scalarField missing(lack(F_, source, weight));
 
     // Corrections of the correction take away what the linear solver left
@@ -316,11 +339,12 @@ void Foam::transportFlux::set
         fraction_.correctBoundaryConditions();
     }
 
+    added_ += F_;
     correction_ =
         0.5*mesh_.time().deltaTValue()
        *gSum
         (
-            fvc::surfaceSum(mag(F_ - predicted))().primitiveField()
+            fvc::surfaceSum(mag(added_))().primitiveField()
         )
        /gSum(volume());
 }

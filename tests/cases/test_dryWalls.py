@@ -314,3 +314,40 @@ def test_surface_in_other_units(clone):
     control(case, endTime=0.1)
     case.run("dryGrainFoam")
     np.testing.assert_allclose(case.grains()["position"], [(0.05, 0.05, 0.025)], atol=1e-6)
+
+
+@DIMENSIONS
+def test_walls_may_be_in_another_order_after_a_restart(clone, dimension):
+    """A lid that comes down and a floor that rises, which their numbers exchange."""
+    start = np.full(dimension, 0.05)
+    start[-1] = 0.02 + RADIUS
+    floor = (
+        f"type plane; point {vector(0.02 * up(dimension))}; normal {vector(up(dimension))};"
+        f" motion {{ type translation; velocity {vector(0.2 * up(dimension))}; }}"
+    )
+    lid = (
+        f"type plane; point {vector(0.09 * up(dimension))}; normal {vector(-up(dimension))};"
+        f" motion {{ type translation; velocity {vector(-0.3 * up(dimension))}; }}"
+    )
+    cases = []
+    for name in ("whole", "parts"):
+        case = dry_box(clone, [start], RADIUS, dimension=dimension, name=name)
+        add_wall(case, "floor", floor)
+        add_wall(case, "lid", lid)
+        control(case, endTime=0.04, writeInterval=20)
+        cases.append(case)
+    whole, parts = cases
+    whole.run("dryGrainFoam")
+    control(parts, endTime=0.02)
+    parts.run("dryGrainFoam")
+    file = parts.path / GRAINS
+    text = file.read_text()
+    for name in ("floor", "lid"):
+        text = text.replace(f"    {name} {{", f"    other{name} {{")
+    text = text.replace("    otherfloor {", "    lid {").replace("    otherlid {", "    floor {")
+    text = text.replace(floor, "MOVED").replace(lid, floor).replace("MOVED", lid)
+    file.write_text(text)
+    control(parts, endTime=0.04)
+    parts.run("dryGrainFoam")
+    for t in ("position", "velocity"):
+        np.testing.assert_allclose(parts.grains()[t], whole.grains()[t], atol=1e-12)

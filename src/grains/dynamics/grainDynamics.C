@@ -43,6 +43,7 @@ Foam::grainDynamics<D>::grainDynamics
                 properties_.walls().bodies()
             )
         );
+        dynamics_->setWallNames(properties_.walls().names());
         if (restart)
         {
             dynamics_->load(stateFile());

@@ -161,6 +161,24 @@ void Foam::grainWalls<D>::separateKinds(const label nMaterials)
 
 
 template<int D>
+nscd::WallNames Foam::grainWalls<D>::names() const
+{
+    nscd::WallNames result;
+    result.ofWall.assign(entry_.begin(), entry_.end());
+    result.ofBody.resize(bodies_.size());
+    for (const wallExtent& entry : extents_)
+    {
+        if (entry.body >= 0)
+        {
+            result.ofBody[entry.body] = int(result.entries.size());
+        }
+        result.entries.push_back(entry.name);
+    }
+    return result;
+}
+
+
+template<int D>
 void Foam::grainWalls<D>::setMotion
 (
     nscd::ContactDynamics<D>& dynamics,

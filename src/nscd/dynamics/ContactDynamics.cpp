@@ -114,6 +114,12 @@ void ContactDynamics<D>::setTemperature(std::vector<double> temperature)
 }
 
 template <int D>
+void ContactDynamics<D>::setWallNames(WallNames names)
+{
+    implementation_->setWallNames(std::move(names));
+}
+
+template <int D>
 void ContactDynamics<D>::remove(const std::vector<bool>& gone)
 {
     implementation_->remove(gone);

@@ -8,6 +8,7 @@
 #include "nscd/contact/ContactTable.hpp"
 #include "nscd/problem/Solver.hpp"
 #include "nscd/shape/Grains.hpp"
+#include "nscd/walls/WallNames.hpp"
 #include "nscd/walls/Walls.hpp"
 
 #include <array>
@@ -101,6 +102,10 @@ public:
 
     /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
+
+    /// Names that save() writes and load() finds walls by.  Throws std::invalid_argument if they are not those of the
+    /// walls and bodies.
+    void setWallNames(WallNames names);
 
     /// Contacts of all ranks in the last step, in an order that does not depend on the number of ranks; after remove()
     /// those between what has stayed, after load() none.  Collective.

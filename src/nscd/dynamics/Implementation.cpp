@@ -150,6 +150,19 @@ void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temp
 }
 
 template <int D>
+void ContactDynamics<D>::Implementation::setWallNames(WallNames names)
+{
+    if (names.ofWall.size() != walls_.size() || names.ofBody.size() != wallBodies_.size())
+    {
+        throw std::invalid_argument(std::to_string(walls_.size()) + " walls and " +
+                                    std::to_string(wallBodies_.size()) + " wall bodies but names of " +
+                                    std::to_string(names.ofWall.size()) + " and " +
+                                    std::to_string(names.ofBody.size()));
+    }
+    wallNames_ = std::move(names);
+}
+
+template <int D>
 void ContactDynamics<D>::Implementation::setAmbient(std::vector<double> ambient)
 {
     if (ambient.size() != grains_.size())
@@ -177,6 +190,8 @@ template std::vector<ContactForce<2>> ContactDynamics<2>::Implementation::contac
 template std::vector<ContactForce<3>> ContactDynamics<3>::Implementation::contacts() const;
 template void ContactDynamics<2>::Implementation::setTemperature(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setTemperature(std::vector<double>);
+template void ContactDynamics<2>::Implementation::setWallNames(WallNames);
+template void ContactDynamics<3>::Implementation::setWallNames(WallNames);
 template void ContactDynamics<2>::Implementation::setAmbient(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setAmbient(std::vector<double>);
 

@@ -35,6 +35,7 @@ public:
     void dumpContactProblem(const std::string& file) const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
+    void setWallNames(WallNames names);
 
     void setAmbient(std::vector<double> ambient);
     void remove(const std::vector<bool>& gone);
@@ -144,6 +145,7 @@ private:
     Communicator communicator_;
     const std::vector<WallBody<D>> initialWallBodies_;
     std::vector<WallBody<D>> wallBodies_, candidateWalls_;   ///< now, and when the candidates were listed
+    WallNames wallNames_;
     std::vector<double> wallExtent_;      ///< of each body: farthest point of its walls from its position [m]
     std::vector<int> freeBodyOfWall_;     ///< number of the free body a wall belongs to; -1 for none
     Arrangement<D> arrangement_;

@@ -4,6 +4,7 @@
 // ContactDynamics::save and load: what the ranks do around one state file.
 
 #include "nscd/dynamics/Implementation.hpp"
+#include "nscd/dynamics/RenumberWalls.hpp"
 #include "nscd/dynamics/State.hpp"
 #include "nscd/dynamics/Validation.hpp"
 
@@ -122,6 +123,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.candidateOrientation = candidates_.orientations();
     state.wallBodies = wallBodies_;
     state.candidateWalls = candidateWalls_;
+    state.wallNames = wallNames_;
     state.candidateSkin = candidates_.skin();
     state.impulses = gatherImpulses(candidates_, impulses_, communicator_);
     together(communicator_, file,
@@ -157,6 +159,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
              {
                  state = readState<D>(file);
                  renumberMaterials(state, table_, file);
+                 renumberWalls(state, wallNames_, initialWallBodies_, file);
                  checkState(state, table_, settings_, walls_.size(), wallBodies_.size(), file);
              });
     grains_ = std::move(state.grains);

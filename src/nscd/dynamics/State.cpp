@@ -328,6 +328,12 @@ void writeState(const std::string& file, const State<D>& s)
     {
         out.writeAttribute("materials", joined(s.materials));
     }
+    if (!s.wallNames.entries.empty())
+    {
+        out.writeAttribute("walls", joined(s.wallNames.entries));
+        out.write("wallNames/ofWall", toColumn<std::int64_t>(s.wallNames.ofWall), "line of walls");
+        out.write("wallNames/ofBody", toColumn<std::int64_t>(s.wallNames.ofBody), "line of walls");
+    }
     out.write("id", toColumn<std::int64_t>(s.grains.id), "1");
     out.write("position", toTable(s.grains.position), "m");
     out.write("velocity", toTable(s.grains.velocity), "m/s");
@@ -399,6 +405,15 @@ State<D> readState(const std::string& file)
     if (in.hasAttribute("materials"))
     {
         s.materials = lines(in.readText("materials"));
+    }
+    if (in.hasAttribute("walls"))
+    {
+        const auto numbers = [&](const std::string& name)
+        {
+            const std::vector<std::int64_t> values = in.read<std::int64_t>(name).values;
+            return std::vector<int>(values.begin(), values.end());
+        };
+        s.wallNames = {lines(in.readText("walls")), numbers("wallNames/ofWall"), numbers("wallNames/ofBody")};
     }
     s.grains.temperature = column("temperature");
     s.contactImpulse = vectors("contactImpulse");

@@ -5,6 +5,7 @@
 
 #include "nscd/contact/Impulses.hpp"
 #include "nscd/shape/Grains.hpp"
+#include "nscd/walls/WallNames.hpp"
 #include "nscd/walls/Walls.hpp"
 
 #include <string>
@@ -31,6 +32,9 @@ struct State
     double candidateSkin = 0;
 
     std::vector<NamedImpulse<D>> impulses;
+
+    /// None in states of walls without names.
+    WallNames wallNames;
 
     /// Position, orientation, velocity and spin of the wall bodies; the rest is not saved.
     std::vector<WallBody<D>> wallBodies;

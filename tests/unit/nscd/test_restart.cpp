@@ -5,6 +5,7 @@
 
 #include "Scene.hpp"
 
+#include "nscd/dynamics/State.hpp"
 #include "nscd/io/Hdf5.hpp"
 
 #include <csignal>
@@ -240,6 +241,56 @@ TEST(Restart, ContactWithAnUnknownWallIsRefused)
         EXPECT_STREQ(error.what(), (file + ": a contact with wall 1 of 1").c_str());
     }
     std::remove(file.c_str());
+}
+
+TEST(Restart, WallsAreThoseOfTheSameNames)
+{
+    Scene<2> scene;
+    scene.walls = {{{-9, 0}, {9, 0}, 1, 0}, {{-5, -9}, {-5, 9}, 1, 1}};
+    scene.add({0, 1});
+    const auto dynamicsOf = [&](std::size_t bodies)
+    {
+        return nscd::ContactDynamics<2>(scene.grains, scene.walls, scene.table, scene.settings, MPI_COMM_SELF,
+                                        std::vector<nscd::WallBody<2>>(bodies));
+    };
+    const std::string file = path("names");
+    {
+        auto dynamics = dynamicsOf(2);
+        dynamics.setWallNames({{"floor", "side"}, {0, 1}, {0, 1}});
+        dynamics.setWallMotion(1, {0, 2}, nscd::Spin<2>::Zero());
+        fall<2>(dynamics, up<2>(-g), 1e-3);
+        dynamics.save(file, 0);
+    }
+    std::swap(scene.walls[0], scene.walls[1]);
+    scene.walls.push_back({{-9, -9}, {9, -9}, 1, -1});
+    std::swap(scene.walls[0].body, scene.walls[1].body);
+    auto other = dynamicsOf(2);
+    other.setWallNames({{"deep", "side", "floor"}, {1, 2, 0}, {1, 2}});
+    other.load(file);
+    EXPECT_GT(other.wallBodies()[0].position.y(), 0);
+    EXPECT_EQ(other.wallBodies()[1].position.y(), 0);
+    const std::string again = path("again");
+    other.save(again, 0);
+    const auto state = nscd::readState<2>(again);
+    ASSERT_EQ(state.impulses.size(), 1U);
+    EXPECT_EQ(state.impulses[0].b, ~1);
+    EXPECT_GT(state.impulses[0].impulse.normal, 0);
+
+    scene.walls[0].body = -1;
+    scene.walls[1].body = 0;
+    auto held = dynamicsOf(1);
+    held.setWallNames({{"deep", "side", "floor"}, {1, 2, 0}, {2}});
+    try
+    {
+        held.load(file);
+        FAIL();
+    }
+    catch (const std::runtime_error& error)
+    {
+        EXPECT_STREQ(error.what(), (file + ": the wall side has moved, and now it has no motion").c_str());
+    }
+    std::remove(file.c_str());
+    std::remove(again.c_str());
 }
 
 TEST(Restart, MaterialsAreThoseOfTheSameNames)

@@ -51,6 +51,10 @@ INPUTS = {
         swap(TRANSPORT, "sigma 0", "sigma -0.07"),
         [TRANSPORT, "'sigma'", "value -0.07", "0"],
     ),
+    "sigma of a temperature": (
+        swap(TRANSPORT, "sigma 0", "sigma { type temperatureDependent; sigma constant 0.07; }"),
+        [TRANSPORT, "'type'", "value temperatureDependent", "constant"],
+    ),
     "sigma of other dimensions": (
         swap(TRANSPORT, "sigma 0", "sigma [1 0 0 0 0 0 0] 0.07"),
         [TRANSPORT, "'sigma'", "[1 0 -2 0 0 0 0]"],

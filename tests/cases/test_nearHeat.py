@@ -113,6 +113,47 @@ def test_light_has_a_range_of_its_own(clone, dimension):
     np.testing.assert_allclose(case.grains()["temperature"], [600, 300], rtol=1e-12)
 
 
+# From the line through the centres, in radii: the plate ends before or behind it, or its two
+# triangles meet on it
+@pytest.mark.parametrize("end", [0.5, 0.01, -0.01, -0.5])
+@DIMENSIONS
+def test_a_wall_between_two_grains_stops_heat_and_light(clone, dimension, end):
+    distance = 2.2 * RADIUS
+    near = (
+        f"throughFluid {{ type {SHAPE[dimension]}; conductivity {K}; lens 0.5; }}"
+        f" radiation {{ type {SHAPE[dimension]}; }}"
+    )
+    centres = place(0.04, 0.04 + distance)(dimension)
+    case = box(clone, centres, dimension, near, [600, 300])
+    add_plate(case, 0.05 + end * RADIUS, 0.04 + distance / 2, dimension)
+    case.run("dryGrainFoam")
+    T = case.grains()["temperature"]
+    if end > 0:
+        np.testing.assert_allclose(T, [600, 300], rtol=1e-12)
+    else:
+        assert T[1] > 301
+
+
+def add_plate(case, end, height, dimension):
+    """From x = 0 to an end, adiabatic, without thickness; in 3-D of two triangles."""
+    if dimension == 2:
+        low, high = [0, height, -0.01], [end, height, 0.02]
+        corners = [low, [end, height, -0.01], high, [0, height, 0.02]]
+    else:
+        corners = [[0, 0, height], [end, 0, height], [end, 0.1, height], [0, 0.1, height]]
+    facets = "".join(
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join("vertex {} {} {}\n".format(*corners[i]) for i in triangle)
+        + "endloop\nendfacet\n"
+        for triangle in ((0, 1, 2), (0, 2, 3))
+    )
+    folder = case.path / "constant/triSurface"
+    folder.mkdir(exist_ok=True)
+    (folder / "plate.stl").write_text(f"solid plate\n{facets}endsolid plate\n")
+    plate = 'type surface; file "plate.stl"; material steel;'
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    plate {{ {plate} }}\n")
+
+
 def test_chain_is_in_equilibrium_with_the_floor(clone):
     """Spheres that do not touch; steps so long that all are as warm as the only warm wall."""
     heights = 1.05 * RADIUS + 2.04 * RADIUS * np.arange(9)

@@ -128,7 +128,7 @@ int main(int argc, char *argv[])
         droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
         exchange.setEps();
         boiling.keepGrowth();
-        exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
+        exchange.discharge(fields.U, fields.fluxesOfFluid());
 
         carried.carry
         (

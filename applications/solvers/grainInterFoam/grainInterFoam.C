@@ -100,7 +100,7 @@ int main(int argc, char *argv[])
         }
 
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
-        exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
+        exchange.discharge(fields.U, fields.fluxesOfFluid());
 
         carried.carry
         (

@@ -108,7 +108,7 @@ int main(int argc, char *argv[])
 
         steam.tell(grains);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
-        exchange.discharge(fields.U, {&fields.phiU, &fields.phiMomentum});
+        exchange.discharge(fields.U, fields.fluxesOfFluid());
 
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);

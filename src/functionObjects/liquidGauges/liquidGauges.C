@@ -67,7 +67,16 @@ bool Foam::functionObjects::liquidGauges::read(const dictionary& dict)
         dict, "thickness", dimLength, 0, 0
     );
     const string points("a list of points in the mesh, as ((0.5 0 0) (1 0 0))");
+    const pointField last(stations_);
     stations_ = dictionaryInput::getAs<List<point>>(dict, "stations", points);
+    if (last.size() && last != stations_)
+    {
+        WarningInFunction
+            << "Function object " << name() << " has other stations now; its tables"
+            << " go on with those of the start: others need a function object of"
+            << " their own" << endl;
+        stations_ = last;
+    }
     if (stations_.empty())
     {
         dictionaryInput::badValue(dict, "stations", "()", points);

@@ -49,11 +49,30 @@ Foam::dropletReleases::dropletReleases
         const dictionary& batch = dictionaryInput::subDict(dict, name);
         dictionaryInput::checkKeywords(batch, {"time", "droplets"});
         const scalar time = dictionaryInput::getScalar(batch, "time", dimTime, 0);
-        dictionary source(dictionaryInput::subDict(batch, "droplets"));
-        source.add("material", word("liquid"));
+        const dictionary source(sourceOf(batch, "droplets"));
         releases_.append({time, source, id, time <= until});
         id += droplets.motion().countOf(source);
     }
+}
+
+
+Foam::dictionary Foam::dropletReleases::sourceOf
+(
+    const dictionary& properties,
+    const word& keyword
+)
+{
+    dictionary result(dictionaryInput::subDict(properties, keyword));
+    if (result.found("temperature"))
+    {
+        dictionaryInput::badValue
+        (
+            result, "temperature", dictionaryInput::written(result, "temperature"),
+            "none: droplets boil, or all begin with the temperature of 'saturation'"
+        );
+    }
+    result.add("material", word("liquid"));
+    return result;
 }
 
 

@@ -166,9 +166,10 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
     }
     result.add("walls", walls);
 
-    dictionary initial(dictionaryInput::subDict(dict_, "initialDroplets"));
-    initial.add("material", word("liquid"));
-    result.add("initialDroplets", initial);
+    result.add
+    (
+        "initialDroplets", dropletReleases::sourceOf(dict_, "initialDroplets")
+    );
 
     dictionary contact;
     contact.add("tolerance", tolerance_);

@@ -78,7 +78,7 @@ void Foam::grainFluidExchange::moveGrains
 void Foam::grainFluidExchange::discharge
 (
     volVectorField& U,
-    std::initializer_list<surfaceScalarField*> fluxes
+    const std::array<surfaceScalarField*, 2>& fluxes
 )
 {
     const stopwatch::lap lap(time_);
@@ -121,8 +121,9 @@ void Foam::grainFluidExchange::discharge
     change.correctBoundaryConditions();
     U += change;
     U.correctBoundaryConditions();
+    const surfaceScalarField fluxOfChange(fvc::flux(change));
     for (surfaceScalarField* flux : fluxes)
     {
-        *flux += fvc::flux(change);
+        *flux += fluxOfChange;
     }
 }

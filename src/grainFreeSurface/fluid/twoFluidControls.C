@@ -49,6 +49,13 @@ void Foam::checkTwoFluidControls(const fvMesh& mesh)
     const dictionary& dict = mesh.solutionDict().subDict("PIMPLE");
     dictionaryInput::getLabelOrDefault(dict, "nOuterCorrectors", 1, 1, 1);
 
+    const dictionary& schemes =
+        dictionaryInput::subDict(mesh.schemesDict(), "ddtSchemes");
+    dictionaryInput::getWord
+    (
+        schemes, schemes.found("ddt(U)") ? "ddt(U)" : "default", {"Euler"}
+    );
+
     refuseFiles(mesh.time(), {"MRFProperties"});
     requireDictionaries
     (

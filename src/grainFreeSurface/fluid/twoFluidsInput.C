@@ -135,7 +135,17 @@ bool Foam::twoFluids::check(const fvMesh& mesh)
     {
         checkPhase(properties, phase);
     }
-    if (!properties.isDict("sigma"))
+    if (properties.isDict("sigma"))
+    {
+        // Others of OpenFOAM's ask for a field T
+        const dictionary& model = properties.subDict("sigma");
+        dictionaryInput::getWord(model, "type", {"constant"});
+        dictionaryInput::getScalar
+        (
+            model, "sigma", dimensionSet(1, 0, -2, 0, 0), 0
+        );
+    }
+    else
     {
         dictionaryInput::getScalar
         (

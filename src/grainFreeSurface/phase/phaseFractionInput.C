@@ -6,7 +6,6 @@
 #include "phaseFraction.H"
 
 #include "dictionaryInput.H"
-#include "timeScheme.H"
 
 Foam::label Foam::phaseFraction::readControl
 (
@@ -46,15 +45,4 @@ void Foam::phaseFraction::checkControls(const volScalarField& alpha)
     }
     dictionaryInput::getScalar(dict, "cAlpha", dimless, 0);
     readControl(alpha, "nLimiterIter", 3);
-
-    if (isSecondOrderInTime(alpha.mesh()))
-    {
-        const dictionary& schemes =
-            alpha.mesh().schemesDict().subDict("ddtSchemes");
-        dictionaryInput::badValue
-        (
-            schemes, schemes.found("ddt(U)") ? "ddt(U)" : "default",
-            "backward", "Euler"
-        );
-    }
 }

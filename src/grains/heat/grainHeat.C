@@ -211,7 +211,8 @@ void Foam::grainHeat<D>::check(const nscd::Grains<D>& grains) const
                 << "Keyword 'temperature': grain " << label(grains.id[i])
                 << " has the value " << grains.temperature[i] << nl
                 << "    allowed: with 'heat' a value > 0 [K], an entry of"
-                << " 'initialGrains' or a column of its file"
+                << " 'initialGrains' or a column of its file; a state has the"
+                << " temperatures that its grains began with"
                 << exit(FatalIOError);
         }
     }

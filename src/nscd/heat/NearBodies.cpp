@@ -13,6 +13,9 @@ namespace nscd
 namespace
 {
 
+/// Part of the way to a wall that does not touch those that it meets there.
+constexpr double nearly = 1 - 1e-6;
+
 /// Of the ways to two opposite images of a grain, one.
 template <int D>
 bool isFirstOfTwo(const Vector<D>& way)
@@ -37,12 +40,15 @@ std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>
     const Neighbours<D> neighbours(x, grains.radius, 2 * std::max(reach - 1, 0.0) * largest, period);
     for (int i = 0; i < static_cast<int>(grains.size()); ++i)
     {
+        bool hasWalls = false;
+        walls.forNear(grains.position[i], reach * (grains.radius[i] + largest), [&](int) { hasWalls = true; });
         neighbours.forImages(i, i,
                              [&](int j, const Vector<D>& way)
                              {
                                  const double distance = way.norm();
                                  if (distance < reach * (grains.radius[i] + grains.radius[j])
-                                     && (j != i || isFirstOfTwo<D>(way)))
+                                     && (j != i || isFirstOfTwo<D>(way))
+                                     && !(hasWalls && walls.separates(grains.position[i], way)))
                                  {
                                      result.push_back({i, j, distance});
                                  }
@@ -54,7 +60,8 @@ std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>
                           const Vector<D> place = walls.image(wall, grains.position[i]);
                           const auto approach = walls.approach(wall, place, grains.radius[i]);
                           const double distance = approach ? approach->gap + grains.radius[i] : farthest;
-                          if (distance < farthest)
+                          if (distance < farthest
+                              && !walls.separates(place, nearly * distance * approach->normal))
                           {
                               result.push_back({i, ~wall, distance});
                           }

@@ -19,6 +19,7 @@ struct NearBodies
 
 /// Grains whose centres are nearer than 'reach' times the sum of their radii, and walls nearer to a centre than 'reach'
 /// diameters of the grain.  A wall of several facets counts once where it is flat.  A function of the positions alone.
+/// Bodies with the facet of another wall between them are not near.
 /// In a box that is narrower than the reach, periods in [m], a pair counts once for each image.
 template <int D>
 std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>& walls, double reach,

@@ -238,6 +238,33 @@ double WallContact<D>::distance(int wall, const Vector<D>& x) const
 }
 
 template <int D>
+bool WallContact<D>::separates(const Vector<D>& x, const Vector<D>& way) const
+{
+    // What passes between two facets that share an edge passes one of them
+    const double seam = 1e-9 * way.norm();
+    const Vector<D> middle = x + way / 2;
+    bool found = false;
+    forNear(middle, way.norm() / 2,
+            [&](int wall)
+            {
+                const int facet = facetOf_[wall];
+                if (facet < 0 || found)
+                {
+                    return;
+                }
+                const Vector<D> from = image(wall, middle) - way / 2;
+                const double before = mesh_.height(facet, from);
+                const double behind = mesh_.height(facet, from + way);
+                if (before * behind < 0)
+                {
+                    const Vector<D> crossing = from + before / (before - behind) * way;
+                    found = (mesh_.nearest(facet, crossing).point - crossing).norm() <= seam;
+                }
+            });
+    return found;
+}
+
+template <int D>
 Approach<D> WallContact<D>::approachPlane(int facet, const Vector<D>& centre, double radius) const
 {
     const double height = mesh_.height(facet, centre);

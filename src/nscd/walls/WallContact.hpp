@@ -59,6 +59,9 @@ public:
     /// The periodic image of x that is nearest to a facet; half spaces have none.
     Vector<D> image(int wall, const Vector<D>& x) const;
 
+    /// Does a facet stand between x and x + way?  Of half spaces all bodies are on one side.
+    bool separates(const Vector<D>& x, const Vector<D>& way) const;
+
     /// Call f(wall) for every wall nearer to x than 'reach' [m], always in the same order.
     template <class F>
     void forNear(const Vector<D>& x, double reach, F&& f) const;

@@ -98,15 +98,15 @@ void Foam::vansFlow::setHeight()
 
 void Foam::vansFlow::startStep()
 {
-    fields_.phi.oldTime();
-    fields_.phiMomentum.oldTime();
-    if (areFluxesOfU_)
+    for (surfaceScalarField* flux : fields_.fluxes())
     {
-        resolved_.setSurfaceFlux(fields_.phi.oldTime());
-        resolved_.setSurfaceFlux(fields_.phiU.oldTime());
-        resolved_.setSurfaceFlux(fields_.phiMomentum.oldTime());
-        areFluxesOfU_ = false;
+        flux->oldTime();
+        if (areFluxesOfU_)
+        {
+            resolved_.setSurfaceFlux(flux->oldTime());
+        }
     }
+    areFluxesOfU_ = false;
     step_.reset
     (
         new stepCoefficients

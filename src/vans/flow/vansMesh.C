@@ -42,13 +42,12 @@ void Foam::vansFlow::beforeMeshChange()
     // In the first step after a start, too: a field that is changed before its
     // old time is asked for would have the changed one as its old time
     keepOldTime(fields_.U);
-    keepOldTime(fields_.phiU);
-    keepOldTime(fields_.phiMomentum);
-    keepOldTime(fields_.phi);
-
-    faceU_.reset(withFlux(fields_.U, fields_.phiU).ptr());
-    faceMomentumU_.reset(withFlux(fields_.U, fields_.phiMomentum).ptr());
-    faceMixtureU_.reset(withFlux(fields_.U, fields_.phi).ptr());
+    faceU_.clear();
+    for (const surfaceScalarField* flux : fields_.fluxes())
+    {
+        keepOldTime(*flux);
+        faceU_.append(withFlux(fields_.U, *flux).ptr());
+    }
     step_.clear();
     UEqn_.clear();
     faces_.clear();
@@ -63,22 +62,21 @@ void Foam::vansFlow::meshChanged()
     // The fluxes of the step's beginning, through the faces as they are now
     if (mesh_.topoChanging())
     {
-        fields_.phiU.oldTime() = fvc::flux(fields_.U);
-        fields_.phiMomentum.oldTime() = fvc::flux(fields_.U);
-        fields_.phi.oldTime() = fvc::flux(fields_.U);
         areFluxesOfU_ = true;
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
     }
-    else
+    label i = 0;
+    for (surfaceScalarField* flux : fields_.fluxes())
     {
-        fields_.phiU.oldTime() = mesh_.Sf() & faceU_();
-        fields_.phiMomentum.oldTime() = mesh_.Sf() & faceMomentumU_();
-        fields_.phi.oldTime() = mesh_.Sf() & faceMixtureU_();
+        if (mesh_.topoChanging())
+        {
+            flux->oldTime() = fvc::flux(fields_.U);
+        }
+        else
+        {
+            flux->oldTime() = mesh_.Sf() & faceU_[i++];
+        }
+        *flux = flux->oldTime();
     }
-    fields_.phiU = fields_.phiU.oldTime();
-    fields_.phiMomentum = fields_.phiMomentum.oldTime();
-    fields_.phi = fields_.phi.oldTime();
     faceU_.clear();
-    faceMomentumU_.clear();
-    faceMixtureU_.clear();
 }

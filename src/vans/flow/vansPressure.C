@@ -172,11 +172,12 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     {
         // At a body the flux is that of its surface, and fluid beside it moves so
         const surfaceScalarField& locked = resolved_.lockedFaces();
-        fields_.phi += locked*(fields_.phiOpen - fields_.phi);
-        fields_.phiU += locked*(fields_.phiOpen - fields_.phiU);
-        fields_.phiMomentum += locked*(fields_.phiOpen - fields_.phiMomentum);
+        for (surfaceScalarField* flux : fields_.fluxes())
+        {
+            *flux += locked*(fields_.phiOpen - *flux);
+        }
     }
-    for (surfaceScalarField* flux : {&fields_.phiU, &fields_.phiMomentum})
+    for (surfaceScalarField* flux : fields_.fluxesOfFluid())
     {
         resolved_.correctFaceVelocity(fields_.phiOpen, *flux);
     }

@@ -94,7 +94,10 @@ BAD = {
         add(ANTOINE.format(pressure=1e5, temperature=300)),
         "no dictionary 'vapour'",
     ),
-    "temperature of their own": (swap("initialDroplets {", "initialDroplets { temperature 350;"), "'temperature'"),
+    "temperature of their own": (
+        swap("initialDroplets {", "initialDroplets { temperature 350;"),
+        "'temperature'",
+    ),
     "hot": (add(ANTOINE.format(pressure=1e5, temperature=400)), "'temperature'"),
     "curve": (
         add(ANTOINE.format(pressure=1e5, temperature=300).replace("Antoine", "Wagner")),

@@ -257,13 +257,14 @@ void Foam::transportFlux::set
 (
     const surfaceScalarField& share,
     const scalarField& source,
-    const scalarField& weight
+    const scalarField& weight,
+    const scalar ofFraction
 )
 {
     // Of the volume of a cell, or of the fluid in it.  Where no grain is, all of it
     // is what the pressure has left of divergence.
     const bool isAlone = !mesh_.moving() && gMin(eps_.primitiveField()) >= 1;
-    const scalar tolerance = tracks_ ? (isAlone ? 1e-5 : 1e-7) : 1e-12;
+    const scalar tolerance = tracks_ ? (isAlone ? 1e-5 : 1e-7) : ofFraction;
 
     setWritten(IOobject::AUTO_WRITE);
     fraction_.oldTime();
@@ -311,13 +312,13 @@ void Foam::transportFlux::set
         fvScalarMatrix& XEqn = tXEqn.ref();
         XEqn.source() += missing;
         XEqn.setReference(fixed, 0);
-        // The largest residual of a cell is much above the mean that solvers see
+        // The largest residual of a cell is above the mean that solvers see
         XEqn.solve
         (
             solverControls
             (
                 keepsMatrix && isPaired_,
-                min(max(1e-3*tolerance/defect_, scalar(1e-14)), scalar(1e-6))
+                min(max(0.02*tolerance/defect_, scalar(1e-14)), scalar(0.02))
             )
         );
         F_ -= XEqn.flux();

@@ -134,6 +134,18 @@ def test_dry_restart_and_ranks(clone):
     assert_same_grains(whole, ranks)
 
 
+def test_start_without_their_state(clone):
+    """As from a state that a case without injections has written."""
+    case = rain(clone, "massRate 0.2;")
+    control(case, endTime=0.1, writeInterval=50)
+    case.run("dryGrainFoam")
+    assert "injections count from zero" not in case.log
+    (case.path / case.times[-1] / "injections").unlink()
+    control(case, endTime=0.2)
+    case.run("dryGrainFoam")
+    assert "injections count from zero" in case.log
+
+
 def test_patch_without_fluid(clone):
     case = dry_box(clone, [], dimension=2)
     replace(case, GRAINS, "(left right bottom top)", "(right bottom top)")

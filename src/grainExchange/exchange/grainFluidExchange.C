@@ -226,6 +226,8 @@ bool Foam::grainFluidExchange::inject(const volVectorField& U)
     {
         return false;
     }
+    const scalarField before(eps_.primitiveField());
     setEps();
-    return true;
+    // More than a tenth of a cell, which is a Courant number of as much
+    return gMax(mag(eps_.primitiveField() - before)()) > 0.1;
 }

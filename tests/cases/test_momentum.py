@@ -50,7 +50,7 @@ def change(case):
     return np.abs(sums - sums[0]).max() / np.linalg.norm(sums[0])
 
 
-# Of 100 steps of the projection of the flux, which closes the volume of a cell to 1e-12
+# Of 100 steps of the projection of the flux; the pressure is solved for to a tolerance, too
 CLOSED = 1e-9
 
 

@@ -8,6 +8,13 @@
 #include "dictionaryInput.H"
 #include "surfaceFields.H"
 
+bool Foam::isThere(const fvMesh& mesh, const word& name)
+{
+    IOobject io(name, mesh.time().timeName(), mesh);
+    return returnReduce(io.typeHeaderOk<surfaceScalarField>(false), andOp<bool>());
+}
+
+
 void Foam::reportMissingFields
 (
     const fvMesh& mesh,
@@ -24,8 +31,7 @@ void Foam::reportMissingFields
     wordList missing;
     for (const word& name : fields)
     {
-        IOobject io(name, mesh.time().timeName(), mesh);
-        if (!returnReduce(io.typeHeaderOk<surfaceScalarField>(false), andOp<bool>()))
+        if (!isThere(mesh, name))
         {
             missing.append(name);
         }

@@ -30,6 +30,7 @@ Foam::grainLedger::grainLedger
     divergence_(0),
     volumeDefect_(0),
     fluidMomentum_(Zero),
+    grainMomentum_(Zero),
     grainMomentumError_(0),
     carriedUnaccounted_(0)
 {
@@ -121,6 +122,7 @@ void Foam::grainLedger::endStep
         carriedUnaccounted_ = carried_.unaccounted();
     }
     fluidMomentum_ = gSum((oldMass_*U_.primitiveField())());
+    grainMomentum_ = grains_.motion().tally().momentum;
     closeMomentum();
     print();
     write();
@@ -136,7 +138,7 @@ void Foam::grainLedger::closeMomentum()
     }
     const vector change
     (
-        motion.tally().momentum + motion.removed().momentum
+        grainMomentum_ + motion.removed().momentum
       - before_.momentum
     );
     const vector weight

@@ -91,7 +91,7 @@ void Foam::grainLedger::write()
     const grainTally& removed = grains_.motion().removed();
     const vector& m = removed.momentum;
     const vector& f = fluidMomentum_;
-    const vector p(grains_.motion().tally().momentum);
+    const vector& p = grainMomentum_;
     const char c = ',';
 
     file_()

@@ -6,6 +6,7 @@
 #include "transportedMass.H"
 
 #include "exchangeFields.H"
+#include "missingFields.H"
 #include "surfaceInterpolate.H"
 #include "timeScheme.H"
 
@@ -42,15 +43,7 @@ Foam::transportedMass::transportedMass(const fvMesh& mesh)
         dimensionedScalar(dimMass, Zero)
     )
 {
-    know
-    (
-        returnReduce
-        (
-            before_.typeHeaderOk<volScalarField>(true)
-         && moved_.typeHeaderOk<surfaceScalarField>(true),
-            andOp<bool>()
-        )
-    );
+    know(isThere(mesh, before_.name()) && isThere(mesh, moved_.name()));
 }
 
 

@@ -43,18 +43,6 @@ void checkMagnitude(const Foam::IOobject& io, const Foam::scalarField& magnitude
     }
 }
 
-
-//- On all ranks
-bool isThere(const Foam::fvMesh& mesh, const Foam::word& name)
-{
-    using namespace Foam;
-    IOobject io(at(mesh, name, IOobject::READ_IF_PRESENT));
-    return returnReduce
-    (
-        io.typeHeaderOk<surfaceScalarField>(false), andOp<bool>()
-    );
-}
-
 }
 
 

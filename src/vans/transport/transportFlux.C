@@ -8,8 +8,10 @@
 #include "cyclicFvPatch.H"
 #include "fvc.H"
 #include "fvm.H"
+#include "globalMeshData.H"
 #include "fixedValueFvPatchFields.H"
 #include "gaussLaplacianScheme.H"
+#include "missingFields.H"
 #include "processorFvPatch.H"
 #include "timeScheme.H"
 #include "zeroGradientFvPatchFields.H"
@@ -63,16 +65,20 @@ dictionary solverControls
 {
     dictionary result;
     result.add("solver", "PCG");
-    if (keepsFactors || !isLong)
+    if (keepsFactors)
     {
-        result.add("preconditioner", keepsFactors ? "Cholesky" : "DIC");
+        result.add("preconditioner", "Cholesky");
     }
-    else
+    else if (isLong)
     {
         dictionary levels;
         levels.add("preconditioner", "GAMG");
         levels.add("smoother", "symGaussSeidel");
         result.add("preconditioner", levels);
+    }
+    else
+    {
+        result.add("preconditioner", "DIC");
     }
     result.add("tolerance", tolerance);
     result.add("relTol", 0);
@@ -149,10 +155,7 @@ Foam::transportFlux::transportFlux
                 share
             )
         );
-        isShareLost_ = !returnReduce
-        (
-            lastShare_->typeHeaderOk<surfaceScalarField>(true), andOp<bool>()
-        );
+        isShareLost_ = !isThere(mesh_, lastShare_->name());
     }
     setWritten(IOobject::AUTO_WRITE);
 }
@@ -206,7 +209,7 @@ bool Foam::transportFlux::hasRoom() const
 {
     // Beyond, factors cost more than what they save
     const label most = mesh_.nGeometricD() == 3 ? 10000 : 100000;
-    if (mesh_.moving() || returnReduce(mesh_.nCells(), sumOp<label>()) > most)
+    if (mesh_.moving() || mesh_.globalData().nTotalCells() > most)
     {
         return false;
     }
@@ -288,8 +291,8 @@ void Foam::transportFlux::set
     const bool keepsMatrix = hasRoom();
 
     // Iterations of DIC grow with the number of cells along the mesh: there were 767 in
-    // a plane of 430 x 430, where GAMG took 14, each of which takes as long as ten
-    const scalar cells = returnReduce(mesh_.nCells(), sumOp<label>());
+    // a plane of 184 320, where GAMG took 14, each of which takes as long as ten
+    const scalar cells = mesh_.globalData().nTotalCells();
     const bool isLong = pow(cells, 1.0/mesh_.nGeometricD()) > 100;
     const surfaceScalarField open
     (

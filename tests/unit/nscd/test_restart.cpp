@@ -3,6 +3,7 @@
 
 // Saved states: bitwise continuation, complete files only, reasons of refusal.
 
+#include "Messages.hpp"
 #include "Scene.hpp"
 
 #include "nscd/dynamics/State.hpp"
@@ -280,15 +281,8 @@ TEST(Restart, WallsAreThoseOfTheSameNames)
     scene.walls[1].body = 0;
     auto held = dynamicsOf(1);
     held.setWallNames({{"deep", "side", "floor"}, {1, 2, 0}, {2}});
-    try
-    {
-        held.load(file);
-        FAIL();
-    }
-    catch (const std::runtime_error& error)
-    {
-        EXPECT_STREQ(error.what(), (file + ": the wall side has moved, and now it has no motion").c_str());
-    }
+    EXPECT_EQ(messageOf<std::runtime_error>([&] { held.load(file); }),
+              file + ": the wall side has moved, and now it has no motion");
     std::remove(file.c_str());
     std::remove(again.c_str());
 }

@@ -13,8 +13,8 @@ namespace nscd
 namespace
 {
 
-/// Share of the overlaps that a step removes when the impulses have not converged.  Moving grains of a deep pile
-/// disturbs the force network; it must happen more slowly than the sweeps restore it.
+/// Share of the overlaps that a step removes when the impulses have not converged, but where there were impacts.  Moving
+/// grains of a deep pile disturbs the force network; it must happen more slowly than the sweeps restore it.
 constexpr double cautiousShare = 0.1;
 
 /// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
@@ -163,8 +163,8 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     displacements_.clear();
     const double tolerance = settings_.tolerance / dt;
     const double share = converged ? 1 : cautiousShare;
-    const double worst = communicator_.max(problem_.measureOverlaps(bodies_, share));
-    if (worst <= tolerance)
+    const Depths depths = problem_.measureOverlaps(bodies_, share);
+    if (communicator_.max(depths.worst) <= tolerance)
     {
         return true;
     }
@@ -177,7 +177,8 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     const std::size_t end = candidates_.rankBegin()[communicator_.rank() + 1];
     Anderson anderson(communicator_, candidates_.blocks());
     Unknowns before, swept;
-    const int maxSweeps = std::max(1, isUneven() ? settings_.maxSweeps : settings_.maxSweeps / 4);
+    const bool isUrgent = isUneven() || !data_.ahead.empty();
+    const int maxSweeps = std::max(1, isUrgent ? settings_.maxSweeps : settings_.maxSweeps / 4);
     double residual = 0;
     for (int sweeps = 1; sweeps <= maxSweeps; ++sweeps)
     {
@@ -206,7 +207,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
         }
     }
     communicator_.share(displacements_, candidates_.rankBegin());
-    report.leftOverlap = std::max(report.leftOverlap, dt * (residual + (1 - share) * worst));
+    report.leftOverlap = std::max(report.leftOverlap, dt * (residual + communicator_.max(depths.spared)));
     return residual <= tolerance;
 }
 

@@ -57,32 +57,40 @@ double ContactProblem<D>::residual(const std::vector<Body<D>>& bodies)
 }
 
 template <int D>
-double ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
+Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
 {
-    double worst = 0;
+    Depths depths;
     overlaps_.clear();
     overlaps_.reserve(contacts());
-    const auto add = [&](const auto& c, const Vector<D>& normal, double gap)
+    const auto add = [&](const auto& c, const Vector<D>& normal, const Origin& origin)
     {
         const Body<D>& a = bodies[c.i];
         const Body<D>& b = bodies[c.j];
-        const double velocity = normalVelocity(c, a, b) + gap / dt_;
-        worst = std::max(worst, -velocity);
-        overlaps_.push_back(
-            {normal, velocity < 0 ? share * velocity : velocity, 1 / (a.inverseMass + b.inverseMass), 0, c.i, c.j});
+        const double velocity = normalVelocity(c, a, b) + origin.gap / dt_;
+        const bool spares = velocity < 0 && !hadImpact(c.i) && !hadImpact(c.j);
+        const double removed = spares ? share * velocity : velocity;
+        depths.worst = std::max(depths.worst, -velocity);
+        depths.spared = std::max(depths.spared, removed - velocity);
+        overlaps_.push_back({normal, removed, 1 / (a.inverseMass + b.inverseMass), 0, c.i, c.j});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
         for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
         {
-            add(contacts_[k], contacts_[k].normal, origin_[k].gap);
+            add(contacts_[k], contacts_[k].normal, origin_[k]);
         }
         for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
         {
-            add(levered_[k], levered_[k].normal(), leveredOrigin_[k].gap);
+            add(levered_[k], levered_[k].normal(), leveredOrigin_[k]);
         }
     }
-    return worst;
+    return depths;
+}
+
+template <int D>
+bool ContactProblem<D>::hadImpact(int body) const
+{
+    return !data_.ahead.empty() && body < candidates_.fixedBody() && data_.ahead[body].inverseMass > 0;
 }
 
 template <int D>

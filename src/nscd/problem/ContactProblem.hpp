@@ -27,6 +27,13 @@ struct BodyData
     std::vector<Body<D>> ahead;
 };
 
+/// Overlaps as velocities, overlap/dt [m/s].
+struct Depths
+{
+    double worst = 0;
+    double spared = 0;   ///< worst part that this sub-step is to leave
+};
+
 /// What a pass over contacts did.
 struct Change
 {
@@ -114,9 +121,9 @@ public:
     /// Did the last residual() find candidates that should have been chosen?
     bool incomplete() const { return incomplete_; }
 
-    /// Find what would overlap at the end of the step if the bodies moved with their present velocities; returns the
-    /// worst as a velocity, overlap/dt [m/s].  The sweeps of separate() will remove the given share of it.
-    double measureOverlaps(const std::vector<Body<D>>& bodies, double share);
+    /// Find what would overlap at the end of the step if the bodies moved with their present velocities.  The sweeps of
+    /// separate() will remove the given share of it, but all of it at contacts of bodies that had an impact.
+    Depths measureOverlaps(const std::vector<Body<D>>& bodies, double share);
 
     /// One sweep over a group that pushes overlapping bodies apart: displacements/dt stand in the bodies' velocity.
     /// Returns the square of the largest change [m^2/s^2].
@@ -196,6 +203,7 @@ private:
     double openingByBodies(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
     double openingVelocity(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
     Vector<D> wallVelocity(int wallBody, const Vector<D>& arm) const;
+    bool hadImpact(int body) const;
 
     /// From the centre of a free wall, where it is arranged, to a contact [m].
     Vector<D> wallArm(const Pair& pair, const Approach<D>& approach, int body) const;

@@ -190,13 +190,20 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
         double change = 0;
         schedule_->pass(displacements_,
                         [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
-        if (std::sqrt(communicator_.max(change)) <= tolerance || sweeps == maxSweeps)
+        const bool isTimeToLook = sweeps == (maxSweeps + 1) / 2 || sweeps == maxSweeps;
+        if (std::sqrt(communicator_.max(change)) <= tolerance || isTimeToLook)
         {
             schedule_->refresh(displacements_);
+            const double pushed = communicator_.max(problem_.addPushed(bodies_, displacements_));
             residual = communicator_.max(problem_.separationResidual(displacements_));
             if (residual <= tolerance)
             {
                 break;
+            }
+            if (pushed > 0)
+            {
+                anderson.restart();
+                continue;
             }
         }
         if (mixes)

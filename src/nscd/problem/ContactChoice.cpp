@@ -127,14 +127,15 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
 }
 
 template <int D>
-bool ContactProblem<D>::staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const
+bool ContactProblem<D>::staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies,
+                                   const Vector<D>& besides) const
 {
     if (arrangement_.hasClusters() || (pair.second < 0 && arrangement_.wallBody(~pair.second) >= 0))
     {
         return false;
     }
     const int i = candidates_.body(pair.first), j = candidates_.secondBody(pair);
-    Vector<D> motion = dt_ * (bodies[j].velocity - bodies[i].velocity);
+    Vector<D> motion = dt_ * (bodies[j].velocity - bodies[i].velocity + besides);
     if (!data_.ahead.empty())
     {
         motion -= dt_ * (data_.ahead[j].velocity - data_.ahead[i].velocity);

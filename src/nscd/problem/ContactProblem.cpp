@@ -57,69 +57,6 @@ double ContactProblem<D>::residual(const std::vector<Body<D>>& bodies)
 }
 
 template <int D>
-Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
-{
-    Depths depths;
-    overlaps_.clear();
-    overlaps_.reserve(contacts());
-    const auto add = [&](const auto& c, const Vector<D>& normal, const Origin& origin)
-    {
-        const Body<D>& a = bodies[c.i];
-        const Body<D>& b = bodies[c.j];
-        const double velocity = normalVelocity(c, a, b) + origin.gap / dt_;
-        const bool spares = velocity < 0 && !hadImpact(c.i) && !hadImpact(c.j);
-        const double removed = spares ? share * velocity : velocity;
-        depths.worst = std::max(depths.worst, -velocity);
-        depths.spared = std::max(depths.spared, removed - velocity);
-        overlaps_.push_back({normal, removed, 1 / (a.inverseMass + b.inverseMass), 0, c.i, c.j});
-    };
-    for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
-    {
-        for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
-        {
-            add(contacts_[k], contacts_[k].normal, origin_[k]);
-        }
-        for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
-        {
-            add(levered_[k], levered_[k].normal(), leveredOrigin_[k]);
-        }
-    }
-    return depths;
-}
-
-template <int D>
-bool ContactProblem<D>::hadImpact(int body) const
-{
-    return !data_.ahead.empty() && body < candidates_.fixedBody() && data_.ahead[body].inverseMass > 0;
-}
-
-template <int D>
-double ContactProblem<D>::separate(int group, std::vector<Body<D>>& displacements)
-{
-    double largest = 0;
-    const std::size_t end = begin_[group + 1].contact + begin_[group + 1].levered;
-    for (std::size_t k = begin_[group].contact + begin_[group].levered; k < end; ++k)
-    {
-        largest = std::max(largest, nscd::separate<D>(overlaps_[k], displacements.data()));
-    }
-    return largest;
-}
-
-template <int D>
-double ContactProblem<D>::separationResidual(const std::vector<Body<D>>& displacements) const
-{
-    double largest = 0;
-    for (const Overlap<D>& o : overlaps_)
-    {
-        const Body<D>&a = displacements[o.i], &b = displacements[o.j];
-        const double velocity = (b.velocity - a.velocity).dot(o.normal) + o.gapVelocity;
-        const double push = o.push / o.inverseW;
-        largest = std::max(largest, std::abs(push - std::max(0.0, push - velocity)));
-    }
-    return largest;
-}
-
-template <int D>
 bool ContactProblem<D>::isCut() const
 {
     const auto cut = [](const Origin& o) { return o.gap > o.wholeGap; };

@@ -132,6 +132,10 @@ public:
     /// How far the displacements are from the solution [m/s]: natural map of the frictionless problem.
     double separationResidual(const std::vector<Body<D>>& displacements) const;
 
+    /// Let separate() know of the candidates without a contact into which the displacements push; returns how far, as
+    /// a velocity [m/s].
+    double addPushed(const std::vector<Body<D>>& bodies, const std::vector<Body<D>>& displacements);
+
     /// Has an overlap been cut to what one step may remove?
     bool isCut() const;
 
@@ -192,8 +196,9 @@ private:
     /// other do not touch, and as the distance is convex, those that are stopped do not overlap.
     Meeting meetingAtEnd(const Pair& pair, const Approach<D>& approach) const;
 
-    /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities.
-    bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies) const;
+    /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities, and one besides.
+    bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies,
+                    const Vector<D>& besides = Vector<D>::Zero()) const;
 
     bool isLevered(const Pair& pair) const;
     void addLevered(const Pair& pair, const Approach<D>& approach, const Impulse<D>& impulse, int j,
@@ -234,7 +239,9 @@ private:
     std::vector<Contact<D>> contacts_;
     std::vector<LeveredContact<D>> levered_;
     std::vector<Origin> origin_, leveredOrigin_;
-    std::vector<Overlap<D>> overlaps_;    ///< of each contact, the levered ones of a group after the others
+    std::vector<Overlap<D>> overlaps_;    ///< of a group's contacts, its levered ones, then what they push into
+    std::vector<std::size_t> overlapBegin_;   ///< first of each group, and the end
+    std::vector<char> listed_;            ///< candidates among them
     std::vector<Begin> begin_;            ///< of each group, and the end
 
     std::vector<int> touching_, touchingBegin_, queue_;

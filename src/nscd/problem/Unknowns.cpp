@@ -78,7 +78,7 @@ void ContactProblem<D>::forGroups(bool overlaps, F&& f)
         {
             forUnknowns<D>(levered_[k], [&](double& x, double w) { f(g, x, w); });
         }
-        for (std::size_t k = from.contact + from.levered; overlaps && k < to.contact + to.levered; ++k)
+        for (std::size_t k = overlaps ? overlapBegin_[g] : 0; overlaps && k < overlapBegin_[g + 1]; ++k)
         {
             forUnknowns<D>(overlaps_[k], [&](double& x, double w) { f(g, x, w); });
         }

@@ -182,7 +182,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     double residual = 0;
     for (int sweeps = 1; sweeps <= maxSweeps; ++sweeps)
     {
-        const bool mixes = isUneven() && sweeps >= firstMixing && sweeps < maxSweeps - lastPlain;
+        const bool mixes = sweeps >= firstMixing && sweeps < maxSweeps - lastPlain;
         if (mixes)
         {
             problem_.get(before, displacements_, true, begin, end);

@@ -197,6 +197,31 @@ TYPED_TEST(Impact, BouncesEndWhenAndAsHighAsTheyShould)
     EXPECT_NEAR(last, 1, 1e-6);
 }
 
+TYPED_TEST(Impact, OfABlockThatIsStoppedLeavesNoOverlapBehind)
+{
+    constexpr int D = TestFixture::dimension;
+    const double speed = 12, dt = 0.02;   // a quarter of a radius in a step
+    for (const double restitution : {0.5, 0.9, 0.97})
+    {
+        Scene<D> scene = agitated<D>(D == 2 ? 16 : 8, 0.3, 0.5);
+        scene.table.set(0, 0, {0.3, restitution});
+        scene.table.set(0, 1, {0.3, restitution});
+        scene.settings.tolerance = 1e-3;
+        scene.settings.maxSweeps = 30;
+        for (nscd::Vector<D>& v : scene.grains.velocity)
+        {
+            v -= up<D>(speed);
+        }
+        auto dynamics = scene.dynamics();
+        for (int i = 0; i < 100; ++i)
+        {
+            const auto report = fall<D>(dynamics, up<D>(-g), dt);
+            // Where 30 sweeps do not find the solution, they leave 7e-3 at worst
+            EXPECT_LE(report.worstOverlap, report.converged ? 1e-3 : 1e-2) << "step " << i << ", e " << restitution;
+        }
+    }
+}
+
 TYPED_TEST(Impact, OfGrainsAtRestIsNone)
 {
     constexpr int D = TestFixture::dimension;

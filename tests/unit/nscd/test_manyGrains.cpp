@@ -209,6 +209,19 @@ TEST(Overlap, IsRemovedWithoutSettingGrainsInMotion)
     EXPECT_NEAR(dynamics.grains().position[0].x(), -0.025, 1e-12);
 }
 
+TEST(Overlap, IsNotPushedOnToGrainsWithoutAContact)
+{
+    Scene<3> scene;
+    scene.add({0, 0, 0});
+    scene.add({1.91, 0, 0});
+    scene.add({3.94, 0, 0});   // a gap of 0.03: no contact, but the overlap of 0.09 is more than that
+    scene.add({5.97, 0, 0});
+    auto dynamics = scene.dynamics();
+    EXPECT_TRUE(fall<3>(dynamics, Vector<3>::Zero(), 1e-3).converged);
+    EXPECT_LE(dynamics.worstOverlap(), 1e-12);
+    EXPECT_EQ(kineticEnergy(dynamics.grains()), 0);
+}
+
 TEST(Overlap, OfCoincidentGrainsIsRemovedInTheEnd)
 {
     Scene<2> scene(0.3);

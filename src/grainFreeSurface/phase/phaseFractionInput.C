@@ -24,6 +24,18 @@ Foam::label Foam::phaseFraction::readControl
 void Foam::phaseFraction::checkControls(const volScalarField& alpha)
 {
     const dictionary& dict = alpha.mesh().solverDict(alpha.name());
+    // With those of a linear solver, which interFoam has here without MULESCorr
+    dictionaryInput::checkKeywords
+    (
+        dict,
+        {
+            "MULESCorr", "nAlphaCorr", "nAlphaSubCycles", "nLimiterIter",
+            "cAlpha", "icAlpha", "scAlpha", "alphaApplyPrevCorr",
+            "smoothLimiter", "extremaCoeff", "boundaryExtremaCoeff",
+            "solver", "preconditioner", "smoother", "nSweeps", "tolerance",
+            "relTol", "minIter", "maxIter", "log"
+        }
+    );
     const auto demand = [&](const word& keyword, const bool allowed)
     {
         if (dict.getOrDefault(keyword, allowed) != allowed)

@@ -13,7 +13,7 @@ namespace nscd
 namespace
 {
 
-/// Share of the overlaps that a step removes when the impulses have not converged, but where there were impacts.  Moving
+/// Share of the overlaps that a step removes when the impulses have not converged, where there were no impacts.  Moving
 /// grains of a deep pile disturbs the force network; it must happen more slowly than the sweeps restore it.
 constexpr double cautiousShare = 0.1;
 

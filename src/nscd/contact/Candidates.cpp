@@ -48,19 +48,19 @@ std::vector<int> deal(const std::vector<double>& work, int ranks)
 template <int D>
 Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, const Orientations<D>& orientations,
                           const Communicator& communicator)
-    : skin_(watch.skin), positions_(positions), orientations_(orientations)
+    : reach_(watch.reach), positions_(positions), orientations_(orientations)
 {
     const Vectors<D> members = wrapped<D>(watch.members.positions(positions, orientations), watch.period);
     sort(watch, members, wrapped<D>(positions, watch.period), communicator);
 
     Vectors<D> x(members.size());
-    std::vector<double> radii(members.size());
+    std::vector<double> reaching(members.size());   // radius and reach
     for (std::size_t m = 0; m < members.size(); ++m)
     {
         x[memberPlace_[m]] = members[m];
-        radii[memberPlace_[m]] = watch.members.radius()[m];
+        reaching[memberPlace_[m]] = watch.members.radius()[m] + reach_.ofGrain[watch.members.grain(m)];
     }
-    const Neighbours<D> neighbours(x, radii, watch.skin, watch.period);
+    const Neighbours<D> neighbours(x, reaching, 0, watch.period);
     const int grainBlocks = static_cast<int>(memberBegin_.size()) - 1;
     std::vector<std::vector<Pair>> found(grainBlocks + 1);
     work_.assign(grainBlocks, 0);
@@ -91,7 +91,7 @@ Candidates<D>::Candidates(const Watch<D>& watch, const Vectors<D>& positions, co
                                        pairs.push_back({i, j});
                                    }
                                });
-            watch.walls.forNear(x[i], radii[i] + watch.skin,
+            watch.walls.forNear(x[i], reaching[i] + reach_.ofWalls,
                                 [&](int wall)
                                 { found[watch.freeBodyOfWall[wall] < 0 ? block : grainBlocks].push_back({i, ~wall}); });
         }
@@ -124,7 +124,7 @@ void Candidates<D>::sort(const Watch<D>& watch, const Vectors<D>& members, const
     order_.resize(n);
     place_.resize(n);
     std::vector<int> next(grainBegin_.begin(), grainBegin_.end() - 1);
-    const CellGrid<D> grid(members, 2 * mean(watch.members.radius()) + watch.skin);
+    const CellGrid<D> grid(members, 2 * (mean(watch.members.radius()) + mean(reach_.ofGrain)));
     for (const int member : grid.members())
     {
         const int grain = watch.members.grain(member);

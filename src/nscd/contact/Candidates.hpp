@@ -24,6 +24,13 @@ struct Group
     std::size_t begin, end;
 };
 
+/// How far grains and walls may go until pairs must be listed anew [m].
+struct Reach
+{
+    std::vector<double> ofGrain;
+    double ofWalls = 0;
+};
+
 /// What there is to be watched, and how closely.
 template <int D>
 struct Watch
@@ -32,7 +39,7 @@ struct Watch
     const WallContact<D>& walls;
     const std::vector<int>& freeBodyOfWall;   ///< index of the free body each wall belongs to; -1 for none
     int freeBodies;
-    double skin;                              ///< [m]
+    const Reach& reach;
     int blocks;
     std::array<double, 3> period;             ///< [m], 0 where not periodic
     const std::vector<double>& work;          ///< of each block in the list before; empty for none
@@ -43,9 +50,9 @@ struct Watch
 std::vector<int> deal(const std::vector<double>& work, int ranks);
 
 /// The grains cut into spatial blocks and sorted for locality, and the pairs of members that are worth watching: those
-/// nearer than the skin at the positions the list was made for.  A function of these positions, the radii and the
-/// skin alone.  Blocks are dealt to the ranks so that these have equal shares of the work; a rank lists the pairs whose
-/// lower block is its own.
+/// whose gap is less than the sum of their reaches at the positions the list was made for.  A function of these
+/// positions, the radii and the reaches alone.  Blocks are dealt to the ranks so that these have equal shares of the
+/// work; a rank lists the pairs whose lower block is its own.
 template <int D>
 class Candidates
 {
@@ -54,13 +61,9 @@ public:
     Candidates(const Watch<D>& watch, const Vectors<D>& positions, const Orientations<D>& orientations,
                const Communicator& communicator);
 
-    /// Can no unlisted pair come into contact before members and walls have gone further than these displacements?
-    bool cover(double members, double walls) const
-    {
-        return !order_.empty() && members + std::max(members, walls) <= skin_;
-    }
+    /// As long as no grain and no wall goes further, no unlisted pair comes into contact.
+    const Reach& reach() const { return reach_; }
 
-    double skin() const { return skin_; }
     const Vectors<D>& positions() const { return positions_; }
     const Orientations<D>& orientations() const { return orientations_; }
 
@@ -103,7 +106,7 @@ private:
     void dealBlocks(const Watch<D>& watch, int ranks);
     void append(int first, int second, const std::vector<Pair>& pairs);
 
-    double skin_ = 0;
+    Reach reach_;
     Vectors<D> positions_;
     Orientations<D> orientations_;
     std::vector<int> order_, place_, memberOrder_, memberPlace_, body_, wallBody_;

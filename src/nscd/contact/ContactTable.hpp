@@ -18,7 +18,7 @@ struct ContactParameters
     double friction = 0;
 
     /// Coefficient 0 <= e <= 1 of impacts: what approaches with velocity v leaves with e v, with less where Newton's
-    /// rule would create energy (see impactImpulse; doc/theory, eq. 5.14).  Contacts that last have none, nor have
+    /// rule would create energy (see impactImpulse; doc/theory, eq. 5.15).  Contacts that last have none, nor have
     /// impacts that are slower than what forces do in a step.
     double restitution = 0;
 

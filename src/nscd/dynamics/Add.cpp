@@ -45,7 +45,7 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     measureGrains();
     problem_.clear();
     impacts_.clear();
-    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
+    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), impulses);
     candidateWalls_ = wallBodies_;
 }
 

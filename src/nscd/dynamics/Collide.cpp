@@ -127,14 +127,16 @@ void ContactDynamics<D>::Implementation::passWindow(double until)
 }
 
 template <int D>
-bool ContactDynamics<D>::Implementation::flightsAreCovered(double dt, double& farthest) const
+bool ContactDynamics<D>::Implementation::flightsAreCovered(double dt, Reach& wanted) const
 {
-    farthest = 0;
-    double farthestWall = 0;
-    for (std::size_t k = 0; k < grains_.size(); ++k)
+    wanted = candidates_.reach();
+    bool covered = true;
+    for (std::size_t i = 0; i < grains_.size(); ++i)
     {
+        const int k = candidates_.place()[i];
         const Flyer<D>& f = flyers_[k];
-        farthest = std::max({farthest, f.farthest, way(f, f.body, launches_[k], dt)});
+        const double farthest = std::max(f.farthest, way(f, f.body, launches_[k], dt));
+        covered = !extend(wanted.ofGrain[i], farthest) && covered;
     }
     std::size_t k = grains_.size();
     for (std::size_t b = 0; b < wallBodies_.size(); ++b)
@@ -145,15 +147,13 @@ bool ContactDynamics<D>::Implementation::flightsAreCovered(double dt, double& fa
             const Flyer<D>& f = flyers_[k];
             const double turn = turnBetween(wall.orientation, candidateWalls_[b].orientation) +
                                 std::sqrt(squaredNorm(Tangent<D>(f.turned + dt * f.body.surfaceSpeed)));
-            farthestWall = std::max(farthestWall, std::max(f.farthest, way(f, f.body, launches_[k], dt)) +
-                                                      turn * wallExtent_[b]);
+            const double farthest =
+                std::max(f.farthest, way(f, f.body, launches_[k], dt)) + turn * wallExtent_[b];
+            covered = !extend(wanted.ofWalls, farthest) && covered;
             ++k;
         }
     }
-    farthestWall = std::max(farthestWall, wallDisplacement(dt));
-    const bool covered = candidates_.cover(farthest, farthestWall);
-    farthest = std::max(farthest, farthestWall);
-    return covered;
+    return !extend(wanted.ofWalls, wayOfWalls(dt)) && covered;
 }
 
 template <int D>
@@ -161,13 +161,11 @@ void ContactDynamics<D>::Implementation::collide(double dt, StepReport& report)
 {
     data_.flight.clear();
     data_.ahead.clear();
-    double farthest = 0;
+    Reach wanted;
     bool any = fly(dt);
-    while (any && !flightsAreCovered(dt, farthest))
+    while (any && !flightsAreCovered(dt, wanted))
     {
-        rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_ + 4 * farthest,
-                          gatherImpulses(candidates_, impulses_, communicator_));
-        candidateWalls_ = wallBodies_;
+        listAnew(wanted);
         any = fly(dt);
     }
     if (!any)

@@ -59,8 +59,8 @@ struct StepReport
     double meanOverlap = 0;       ///< mean over the pairs that penetrate [m]
     double maxVelocity = 0;       ///< [m/s], after the step
     double contactWork = 0;       ///< kinetic energy that impulses give to grains and free walls, which forces alone
-                                  ///< would have moved; never positive without driven walls [J]
-                                  ///< (doc/theory, eq. 5.7)
+                                  ///< would have moved, and impacts at their own time; never positive without
+                                  ///< driven walls [J] (doc/theory, eq. 5.7, 5.14)
     double detectionTime = 0;     ///< wall clock [s]
     double solutionTime = 0;      ///< wall clock [s]
 };

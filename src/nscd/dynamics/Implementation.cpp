@@ -31,7 +31,7 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
     measureGrains();
     measureWalls();
-    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, {});
+    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), {});
     StepReport report;
     measureOverlaps(report);
 }
@@ -42,6 +42,7 @@ void ContactDynamics<D>::Implementation::measureGrains()
     members_ = Members<D>(grains_);
     smallestRadius_ = std::numeric_limits<double>::max();
     meanRadius_ = 0;
+    largestRadius_ = grains_.size() ? *std::max_element(grains_.radius.begin(), grains_.radius.end()) : 0;
     for (const double r : members_.radius())
     {
         smallestRadius_ = std::min(smallestRadius_, r);

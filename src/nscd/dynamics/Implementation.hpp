@@ -54,8 +54,8 @@ private:
         double largestSpeed = 0;
     };
 
-    /// A list of candidates made for grains at rest holds until one has moved by half this fraction of the mean radius.
-    static constexpr double restSkin = 0.3;
+    /// A list of candidates made for grains at rest holds until one has moved by this fraction of the mean radius.
+    static constexpr double restReach = 0.15;
 
     /// Ratio of neighbours' masses up to which plain sweeps do well.
     static constexpr double evenMasses = 100;
@@ -76,8 +76,46 @@ private:
 
     void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void advance(double dt, StepReport& report);
+
+    /// What a sub-step that begins anew needs; without impacts only the report.
+    struct Start
+    {
+        StepReport report;
+        Vectors<D> position;
+        Orientations<D> orientation;
+        FreeMotion free;
+        std::vector<WallBody<D>> wallBodies;
+        Vectors<D> contactImpulse;
+        Spins<D> contactSpinImpulse;
+    };
+
+    Start startOfSubStep(const StepReport& report) const;
+    void goBack(const Start& start, StepReport& report);
+
+    /// Impacts and contacts of the sub-step up to the velocities at its end; false when the sweeps run out.
+    bool solveContacts(double dt, StepReport& report, Stopwatch& watch);
+
+    Reach reachAtRest() const;
+
+    /// By the velocities without contacts of each grain and of those around it.
+    Reach reachOfMotion(double dt) const;
+
+    /// How far a grain or a wall is from where it was when candidates were listed, after it has gone on [m] and turned
+    /// [m, rad]: the farthest of its points [m].
+    double wayOfGrain(std::size_t i, const Vector<D>& onwards, double turning) const;
+    double wayOfWall(std::size_t b, const Vector<D>& onwards, double angle) const;
+
+    /// Enlarge the reach if the way is farther than it, and not absurd; returns whether it was.
+    bool extend(double& reach, double way) const;
+
+    /// List the candidates anew unless they cover motion with the velocities without contacts.
     void updateCandidates(double dt);
-    void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, double skin,
+
+    /// Do the candidates cover motion with the bodies' velocities?  If not, gives what would.
+    bool motionIsCovered(double dt, Reach& wanted) const;
+
+    void listAnew(const Reach& reach);
+    void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, const Reach& reach,
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(double dt);
 
@@ -91,8 +129,8 @@ private:
     void passWindow(double until);
     void launch(double dt);
 
-    /// Are the flights within what the candidates cover?  Gives the longest way since they were listed [m].
-    bool flightsAreCovered(double dt, double& farthest) const;
+    /// Are the flights within what the candidates cover?  If not, gives what would cover them.
+    bool flightsAreCovered(double dt, Reach& wanted) const;
 
     /// Take over velocities and offsets of the flights.
     void land(double dt);
@@ -126,7 +164,7 @@ private:
     void moveWalls(double dt, StepReport& report);
 
     /// Bound of how far a wall will have moved at the end of the step, since the candidates were listed [m].
-    double wallDisplacement(double dt) const;
+    double wayOfWalls(double dt) const;
 
     /// Bound of the speed of a point of a wall in a step without contacts [m/s].
     double largestWallSpeed(double dt) const;
@@ -152,7 +190,7 @@ private:
 
     bool bounces_ = false, levered_ = false;   ///< do some contacts?
     Members<D> members_;
-    double smallestRadius_ = 0, meanRadius_ = 0;
+    double smallestRadius_ = 0, meanRadius_ = 0, largestRadius_ = 0;
     Candidates<D> candidates_;
     double unevenness_ = 1;
     FreeMotion free_;                    ///< of the present sub-step
@@ -167,6 +205,7 @@ private:
     std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps
     std::size_t solves_ = 0;             ///< of this rank in this sub-step
     std::vector<Impulse<D>> impulses_;   ///< of this rank's candidates, from the last sub-step
+    std::vector<Impulse<D>> impulsesOfStart_;   ///< the same once the problem has stored others; empty before
 
     Vectors<D> contactImpulse_;
     Spins<D> contactSpinImpulse_;

@@ -102,7 +102,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     measureGrains();
     problem_.clear();
     impacts_.clear();
-    rebuildCandidates(grains_.position, grains_.orientation, restSkin * meanRadius_, impulses);
+    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), impulses);
     candidateWalls_ = wallBodies_;
 }
 

@@ -124,7 +124,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.wallBodies = wallBodies_;
     state.candidateWalls = candidateWalls_;
     state.wallNames = wallNames_;
-    state.candidateSkin = candidates_.skin();
+    state.candidateReach = candidates_.reach();
     state.impulses = gatherImpulses(candidates_, impulses_, communicator_);
     together(communicator_, file,
              [&]
@@ -172,7 +172,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     problem_.clear();
     impacts_.clear();
     contactsOfOthers_.clear();
-    rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateSkin, state.impulses);
+    rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateReach, state.impulses);
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
     StepReport report;
     measureOverlaps(report);

@@ -28,11 +28,11 @@ constexpr double waitingShare = 0.3;
 constexpr double momentumUntil = 0.75;
 
 /// Sweeps from which on Anderson's acceleration mixes, and those at the end that it leaves to plain sweeps
-/// (doc/theory, eq. 5.17).
+/// (doc/theory, eq. 5.18).
 constexpr int firstMixing = 6, lastPlain = 2;
 
 /// The sequence of factors of Nesterov's method, started anew when a pass changes more than the one before
-/// (doc/theory, eq. 5.16).
+/// (doc/theory, eq. 5.17).
 class Momentum
 {
 public:
@@ -129,6 +129,10 @@ bool ContactDynamics<D>::Implementation::solve(double dt, StepReport& report)
             }
             if (communicator_.max(problem_.incomplete()) > 0)
             {
+                if (impulsesOfStart_.empty())
+                {
+                    impulsesOfStart_ = impulses_;
+                }
                 problem_.store(impulses_);
                 problem_.choose(bodies_, impulses_);
                 anderson.restart();

@@ -323,7 +323,7 @@ void writeState(const std::string& file, const State<D>& s)
     out.writeAttribute("time", s.time);
     out.writeAttribute("lastTimeStep", s.lastTimeStep);
     out.writeAttribute("lastSubStep", s.lastSubStep);
-    out.writeAttribute("candidateSkin", s.candidateSkin);
+    out.writeAttribute("candidateReachOfWalls", s.candidateReach.ofWalls);
     if (!s.materials.empty())
     {
         out.writeAttribute("materials", joined(s.materials));
@@ -348,6 +348,7 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
     out.write("candidatePosition", toTable(s.candidatePosition), "m");
     out.write("candidateOrientation", toTable<D>(s.candidateOrientation), D == 2 ? "rad" : "1");
+    out.write("candidateReach", toColumn<double>(s.candidateReach.ofGrain), "m");
     writeClusters<D>(out, s.grains.clusters);
     writeWallBodies<D>(out, "wallBodies", s.wallBodies);
     writeWallBodies<D>(out, "candidateWalls", s.candidateWalls);
@@ -380,7 +381,6 @@ State<D> readState(const std::string& file)
     s.time = in.readNumber("time");
     s.lastTimeStep = in.readNumber("lastTimeStep");
     s.lastSubStep = in.readNumber("lastSubStep");
-    s.candidateSkin = in.readNumber("candidateSkin");
     const std::size_t n = in.read<std::int64_t>("id").rows;
     const auto column = [&](const std::string& name) { return readTable<double>(in, file, name, n, 1).values; };
     const auto integers = [&](const std::string& name) { return readTable<std::int64_t>(in, file, name, n, 1).values; };
@@ -420,6 +420,15 @@ State<D> readState(const std::string& file)
     s.contactSpinImpulse = spins("contactSpinImpulse");
     s.candidatePosition = vectors("candidatePosition");
     s.candidateOrientation = orientations("candidateOrientation");
+    if (in.hasAttribute("candidateSkin"))   // of states with one distance for all
+    {
+        const double reach = 0.5 * in.readNumber("candidateSkin");
+        s.candidateReach = {std::vector<double>(n, reach), reach};
+    }
+    else
+    {
+        s.candidateReach = {column("candidateReach"), in.readNumber("candidateReachOfWalls")};
+    }
     s.grains.clusters = readClusters<D>(in, file);
     s.wallBodies = readWallBodies<D>(in, file, "wallBodies");
     s.candidateWalls = readWallBodies<D>(in, file, "candidateWalls");

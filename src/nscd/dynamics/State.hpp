@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/contact/Candidates.hpp"
 #include "nscd/contact/Impulses.hpp"
 #include "nscd/shape/Grains.hpp"
 #include "nscd/walls/WallNames.hpp"
@@ -29,7 +30,7 @@ struct State
     /// What the candidate list was made for, and hence the order of the sweeps.
     Vectors<D> candidatePosition;
     Orientations<D> candidateOrientation;
-    double candidateSkin = 0;
+    Reach candidateReach;
 
     std::vector<NamedImpulse<D>> impulses;
 

@@ -19,19 +19,15 @@ void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
 {
     Stopwatch watch;
     updateCandidates(dt);
-    if (bounces_)
+    const Start start = startOfSubStep(report);
+    Reach wanted;
+    bool converged = solveContacts(dt, report, watch);
+    while (!motionIsCovered(dt, wanted))
     {
-        collide(dt, report);
+        goBack(start, report);
+        listAnew(wanted);
+        converged = solveContacts(dt, report, watch);
     }
-    makeBodies(dt);
-    problem_.begin(impulses_, dt);
-    problem_.choose(bodies_, impulses_);
-    contactsOfOthers_.clear();
-    report.detectionTime += watch.restart();
-
-    schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
-    solves_ = 0;
-    const bool converged = solve(dt, report);
     problem_.store(impulses_);
     for (Impulse<D>& impulse : impulses_)
     {
@@ -60,42 +56,49 @@ void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::updateCandidates(double dt)
+bool ContactDynamics<D>::Implementation::solveContacts(double dt, StepReport& report, Stopwatch& watch)
 {
-    double farthest = 0;
-    for (std::size_t i = 0; i < grains_.size(); ++i)
+    impulsesOfStart_.clear();
+    if (bounces_)
     {
-        double way = (grains_.position[i] + dt * free_.velocity[i] - candidates_.positions()[i]).squaredNorm();
-        if (grains_.shape[i] >= 0)
-        {
-            const double turn = turnBetween(grains_.orientation[i], candidates_.orientations()[i]);
-            way = std::sqrt(way) + grains_.radius[i] * (turn + dt * free_.spin[i].norm());
-            way *= way;
-        }
-        farthest = std::max(farthest, way);
+        collide(dt, report);
     }
-    if (!candidates_.cover(std::sqrt(farthest), wallDisplacement(dt)))
+    makeBodies(dt);
+    problem_.begin(impulses_, dt);
+    problem_.choose(bodies_, impulses_);
+    contactsOfOthers_.clear();
+    report.detectionTime += watch.restart();
+
+    schedule_->pass(bodies_, [&](int group) { problem_.applyImpulses(group, bodies_); });
+    solves_ = 0;
+    return solve(dt, report);
+}
+
+template <int D>
+auto ContactDynamics<D>::Implementation::startOfSubStep(const StepReport& report) const -> Start
+{
+    return bounces_ ? Start{report, grains_.position, grains_.orientation, free_, wallBodies_, contactImpulse_,
+                            contactSpinImpulse_}
+                    : Start{report, {}, {}, {}, {}, {}, {}};
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::goBack(const Start& start, StepReport& report)
+{
+    report = start.report;
+    if (!impulsesOfStart_.empty())
     {
-        // For two steps and more, or for one if grains are so fast that pairs would become many
-        const double way = dt * free_.largestSpeed;
-        const double grains = std::min(4 * way, 2.2 * way + 0.2 * meanRadius_);
-        const double skin = restSkin * meanRadius_ + std::max(grains, 2 * (way + dt * largestWallSpeed(dt)));
-        rebuildCandidates(grains_.position, grains_.orientation, skin,
-                          gatherImpulses(candidates_, impulses_, communicator_));
-        candidateWalls_ = wallBodies_;
+        impulses_ = impulsesOfStart_;
     }
-    else
+    if (bounces_)
     {
-        arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
-    }
-    if (lastSubStep_ > 0 && dt != lastSubStep_)
-    {
-        for (Impulse<D>& impulse : impulses_)
-        {
-            impulse.normal *= dt / lastSubStep_;
-            impulse.tangential *= dt / lastSubStep_;
-            impulse.rolling *= dt / lastSubStep_;
-        }
+        grains_.position = start.position;
+        grains_.orientation = start.orientation;
+        free_ = start.free;
+        wallBodies_ = start.wallBodies;
+        contactImpulse_ = start.contactImpulse;
+        contactSpinImpulse_ = start.contactSpinImpulse;
+        arrangement_.walls().place(initialWallBodies_, wallBodies_);
     }
 }
 
@@ -115,56 +118,6 @@ void ContactDynamics<D>::Implementation::refusePassedWalls(const std::vector<Pas
             << " m, its radius is " << grains_.radius[grain] << " m, the contacts' residual " << report.residual
             << " m/s; more grains than fit between the walls, too long a step, or too few sweeps";
     throw std::runtime_error(message.str());
-}
-
-template <int D>
-double ContactDynamics<D>::Implementation::unevenness() const
-{
-    double largest = 1;
-    const auto mass = [&](int body)
-    {
-        const bool isGrain = body < static_cast<int>(grains_.size());
-        return isGrain ? grains_.mass[candidates_.order()[body]] : massOfFreeWall(body);
-    };
-    for (const Pair& pair : candidates_.pairs())
-    {
-        const int j = candidates_.secondBody(pair);
-        if (j < candidates_.fixedBody())
-        {
-            const double ratio = mass(candidates_.body(pair.first)) / mass(j);
-            largest = std::max({largest, ratio, 1 / ratio});
-        }
-    }
-    return communicator_.max(largest);
-}
-
-template <int D>
-double ContactDynamics<D>::Implementation::massOfFreeWall(int body) const
-{
-    int k = static_cast<int>(grains_.size());
-    for (const WallBody<D>& wall : wallBodies_)
-    {
-        if (isFree(wall) && k++ == body)
-        {
-            return wall.mass;
-        }
-    }
-    return 1;
-}
-
-template <int D>
-void ContactDynamics<D>::Implementation::rebuildCandidates(const Vectors<D>& positions,
-                                                           const Orientations<D>& orientations, double skin,
-                                                           const std::vector<NamedImpulse<D>>& impulses)
-{
-    candidates_ = Candidates<D>({members_, arrangement_.walls(), freeBodyOfWall_, freeBodies(), skin, settings_.blocks,
-                                 settings_.period, candidates_.work()},
-                                positions, orientations, communicator_);
-    schedule_ = std::make_unique<Schedule<D>>(candidates_, communicator_);
-    impulses_ = matchImpulses(candidates_, impulses);
-    arrangement_.arrange(grains_, members_, candidates_);
-    arrangement_.surround(ambient_, members_, candidates_);
-    unevenness_ = unevenness();
 }
 
 template <int D>
@@ -251,42 +204,7 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
 }
 
-template <int D>
-double ContactDynamics<D>::Implementation::wallDisplacement(double dt) const
-{
-    double farthest = 0;
-    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
-    {
-        const WallBody<D>& wall = wallBodies_[b];
-        const double turn = turnBetween(wall.orientation, candidateWalls_[b].orientation) + dt * wall.spin.norm();
-        farthest = std::max(farthest, (wall.position + dt * wall.velocity - candidateWalls_[b].position).norm() +
-                                          turn * wallExtent_[b]);
-    }
-    return farthest;
-}
-
-template <int D>
-double ContactDynamics<D>::Implementation::largestWallSpeed(double dt) const
-{
-    double largest = 0;
-    for (std::size_t b = 0; b < wallBodies_.size(); ++b)
-    {
-        const WallBody<D>& wall = wallBodies_[b];
-        const Vector<D> velocity = wall.velocity + dt / wall.mass * wall.force;
-        largest = std::max(largest, velocity.norm() + wall.spin.norm() * wallExtent_[b]);
-    }
-    return largest;
-}
-
 template void ContactDynamics<2>::Implementation::advance(double, StepReport&);
 template void ContactDynamics<3>::Implementation::advance(double, StepReport&);
-template double ContactDynamics<2>::Implementation::wallDisplacement(double) const;
-template double ContactDynamics<3>::Implementation::wallDisplacement(double) const;
-template double ContactDynamics<2>::Implementation::largestWallSpeed(double) const;
-template double ContactDynamics<3>::Implementation::largestWallSpeed(double) const;
-template void ContactDynamics<2>::Implementation::rebuildCandidates(const Vectors<2>&, const Orientations<2>&, double,
-                                                                    const std::vector<NamedImpulse<2>>&);
-template void ContactDynamics<3>::Implementation::rebuildCandidates(const Vectors<3>&, const Orientations<3>&, double,
-                                                                    const std::vector<NamedImpulse<3>>&);
 
 }  // namespace nscd

@@ -24,7 +24,7 @@ double work(const Block<D>& W, const Vector<D>& u, const Vector<D>& r)
 ///     r = p + theta (f - p),  theta the largest in [0, 1] with  E(r) <= (1 - e^2) E(p),   E(r) = r.u + r.Wr/2.
 ///
 /// It exists because E(p) <= 0 and E is convex; Coulomb's law holds as its cone is convex, too.  Central impacts have
-/// theta = 1, and the loss of energy (1 - e^2) of the plastic one without friction (doc/theory, eq. 5.14).
+/// theta = 1, and the loss of energy (1 - e^2) of the plastic one without friction (doc/theory, eq. 5.15).
 template <int D>
 Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double e)
 {
@@ -49,12 +49,12 @@ Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double
 /// The same for a contact with its normal through both centres: W is diagonal (doc/theory, eq. 5.13),
 /// inverseMass its W_NN.
 template <int D>
-Contact<D> centralImpact(const Vector<D>& normal, const Body<D>& a, const Body<D>& b, double mu, double e)
+Contact<D> centralImpact(const Vector<D>& normal, const Vector<D>& relative, const Body<D>& a, const Body<D>& b,
+                         double mu, double e)
 {
     Contact<D> c{};
     c.normal = normal;
     c.inverseW = 1 / (a.inverseMass + b.inverseMass);
-    const Vector<D> relative = b.velocity - a.velocity;
     c.normalImpulse = std::max(0.0, -(1 + e) * relative.dot(normal) * c.inverseW);
     c.slipImpulse = limited(Tangent<D>(slip(c, a, b, relative) * (-c.inverseW / tangentFactor<D>)),
                             mu * c.normalImpulse);

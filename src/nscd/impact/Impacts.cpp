@@ -148,7 +148,7 @@ void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& e
     Details& details = details_[k];
     Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
     const Body<D> beforeA = a.body, beforeB = b.body;
-    energy += details.lever >= 0 ? collideLevered(details, a, b) : collidePlain(item, details, a, b);
+    energy += details.lever >= 0 ? collideLevered(item, details, a, b) : collidePlain(item, details, a, b);
     divert(item.i, flyers, beforeA, details.met, item.time);
     divert(item.j, flyers, beforeB, details.met, item.time);
     ++details.impacts;
@@ -171,29 +171,43 @@ double Impacts<D>::collidePlain(const Item& item, Details& details, Flyer<D>& a,
         const double distance = separation.norm();
         normal = distance > 0 ? Vector<D>(separation / distance) : normal;
     }
-    const Contact<D> c = centralImpact<D>(normal, a.body, b.body, details.law->friction, details.law->restitution);
-    const Tangent<D> slipBefore = slip(c, a.body, b.body, before);
+    const Vector<D> more = gainedBy(item, details.met);
+    const Vector<D> relative = before + more;
+    const Contact<D> c =
+        centralImpact<D>(normal, relative, a.body, b.body, details.law->friction, details.law->restitution);
+    const Tangent<D> slipBefore = slip(c, a.body, b.body, relative);
     apply<D>(c, a.body, b.body, c.normalImpulse, c.slipImpulse);
-    const Vector<D> after = b.body.velocity - a.body.velocity;
+    const Vector<D> after = b.body.velocity - a.body.velocity + more;
     const Vector<D> impulse = impulseVector(normal, c.normalImpulse, c.slipImpulse);
     details.given += impulse;
     details.pressed += c.normalImpulse;
     const Tangent<D> slips = slipBefore + slip(c, a.body, b.body, after);
-    return 0.5 * (c.normalImpulse * (before + after).dot(normal) + product(c.slipImpulse, slips)) -
+    return 0.5 * (c.normalImpulse * (relative + after).dot(normal) + product(c.slipImpulse, slips)) -
            workOnDriven(b, impulse);
 }
 
 template <int D>
-double Impacts<D>::collideLevered(Details& details, Flyer<D>& a, Flyer<D>& b)
+double Impacts<D>::collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
 {
     const LeveredContact<D>& c = levers_[details.lever];
-    const Vector<D> velocity = c.frame.transpose() * relativeVelocity(c, a.body, b.body);
+    const Vector<D> more = gainedBy(item, details.met);
+    const Vector<D> velocity = c.frame.transpose() * Vector<D>(relativeVelocity(c, a.body, b.body) + more);
     const Vector<D> r = impactImpulse<D>(c.w, velocity, details.law->friction, details.law->restitution);
     const Vector<D> impulse = c.frame * r;
     apply<D>(c, a.body, b.body, impulse, zeroTangent<D>());
     details.given += impulse;
     details.pressed += r[0];
     return nscd::work<D>(c.w, velocity, r) - workOnDriven(b, impulse);
+}
+
+template <int D>
+Vector<D> Impacts<D>::gainedBy(const Item& item, double time) const
+{
+    const std::vector<Launch<D>>& launches = *launches_;
+    const bool isDriven = item.j >= static_cast<int>(launches.size());
+    const Vector<D> push = isDriven ? Vector<D>(-launches[item.i].push)
+                                    : Vector<D>(launches[item.j].push - launches[item.i].push);
+    return (time / dt_ - 0.5) * push;
 }
 
 template <int D>

@@ -55,7 +55,8 @@ public:
     /// Contacts whose further impacts were left to the contact problem, of this rank.
     std::size_t exhausted() const { return exhausted_; }
 
-    /// Kinetic energy that the impacts of each block's groups gave to the bodies [J], zero for other ranks' blocks.
+    /// Kinetic energy that the impacts of each block's groups gave to the bodies, at their own time [J]; zero for other
+    /// ranks' blocks.
     const std::vector<double>& energy() const { return energy_; }
 
     /// What the impacts of each of this rank's pairs gave to the second body, in the order of pairs.
@@ -70,7 +71,7 @@ private:
 
     /// Share of the velocity by forces below which a contact is not let bounce: twice half of each body's, so that a
     /// grain on the floor rests, and normal to the contact four times that of the bodies against each other
-    /// (doc/theory, eq. 5.15).
+    /// (doc/theory, eq. 5.16).
     static constexpr double share = 0.5, normalShare = 4;
 
     /// What a prediction reads and writes, in one line of the cache.
@@ -133,7 +134,11 @@ private:
 
     /// Return the kinetic energy that the bodies gain [J].
     double collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
-    double collideLevered(Details& details, Flyer<D>& a, Flyer<D>& b);
+    double collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
+
+    /// What the bodies' relative velocity is at a time [s] above that with which they fly, which is the one in the
+    /// middle of the sub-step (doc/theory, eq. 5.14) [m/s].
+    Vector<D> gainedBy(const Item& item, double time) const;
 
     /// What an impulse does to a body that is driven, which does not count [J].
     static double workOnDriven(const Flyer<D>& b, const Vector<D>& impulse);

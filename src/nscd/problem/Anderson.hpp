@@ -15,7 +15,7 @@ namespace nscd
 ///
 ///     x <- G - gamma dG,   gamma = F.dF/dF.dF,
 ///
-/// which begins anew where |F|^2 has grown fourfold (doc/theory, eq. 5.17).  Sweeps over contacts of mass ratio q
+/// which begins anew where |F|^2 has grown fourfold (doc/theory, eq. 5.18).  Sweeps over contacts of mass ratio q
 /// approach their fixed point by a factor of 1 - 1/q only, along one direction, which this finds.  Sums are taken block
 /// by block: the result does not depend on the number of ranks.
 class Anderson

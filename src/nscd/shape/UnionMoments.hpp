@@ -19,7 +19,7 @@ struct Moments
 
 /// Moments of the union of discs or spheres, overlaps counted once.  Discs: to round-off, from the arcs that bound the
 /// union.  Spheres: the discs of their cross-sections, integrated by Gauss's rule between the heights at which the
-/// cross-section changes its topology; about 1e-8 (doc/theory, eq. 5.18).  Radii must be > 0.
+/// cross-section changes its topology; about 1e-8 (doc/theory, eq. 5.19).  Radii must be > 0.
 template <int D>
 Moments<D> unionMoments(const Vectors<D>& centres, const std::vector<double>& radii);
 

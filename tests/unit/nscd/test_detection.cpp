@@ -14,10 +14,15 @@
 namespace
 {
 
+nscd::Reach uniform(std::size_t grains, double ofGrain, double ofWalls)
+{
+    return {std::vector<double>(grains, ofGrain), ofWalls};
+}
+
 /// Candidates of discs or spheres at x among walls.
 template <int D>
 nscd::Candidates<D> candidatesOf(const nscd::Vectors<D>& x, const std::vector<double>& radius,
-                                 const nscd::WallContact<D>& walls, std::size_t wallCount, double skin,
+                                 const nscd::WallContact<D>& walls, std::size_t wallCount, const nscd::Reach& reach,
                                  std::array<double, 3> period = {0, 0, 0})
 {
     nscd::Grains<D> grains;
@@ -27,7 +32,7 @@ nscd::Candidates<D> candidatesOf(const nscd::Vectors<D>& x, const std::vector<do
     const nscd::Members<D> members(grains);
     const std::vector<int> noFreeBody(wallCount, -1);
     const nscd::Communicator communicator(MPI_COMM_SELF);
-    return {{members, walls, noFreeBody, 0, skin, 8, period, {}}, x, grains.orientation, communicator};
+    return {{members, walls, noFreeBody, 0, reach, 8, period, {}}, x, grains.orientation, communicator};
 }
 
 template <int D>
@@ -47,8 +52,12 @@ void expectAllNearPairs(double smallest, double stray)
         radius.push_back(std::exp(random.uniform(std::log(smallest), 0.0)));
     }
     x[5][0] = stray;
-    const double skin = 0.2;
-    const nscd::Candidates<D> candidates = candidatesOf<D>(x, radius, nscd::WallContact<D>({}), 0, skin);
+    std::vector<double> reach;
+    for (int i = 0; i < 400; ++i)
+    {
+        reach.push_back(i % 50 == 0 ? 1.5 : random.uniform(0, 0.2));
+    }
+    const nscd::Candidates<D> candidates = candidatesOf<D>(x, radius, nscd::WallContact<D>({}), 0, {reach, 0});
 
     std::multiset<std::pair<int, int>> found;
     for (const nscd::Pair& pair : candidates.pairs())
@@ -61,7 +70,7 @@ void expectAllNearPairs(double smallest, double stray)
     {
         for (int j = i + 1; j < 400; ++j)
         {
-            if ((x[i] - x[j]).norm() < radius[i] + radius[j] + skin)
+            if ((x[i] - x[j]).norm() < radius[i] + reach[i] + radius[j] + reach[j])
             {
                 expected.insert({i, j});
             }
@@ -73,7 +82,7 @@ void expectAllNearPairs(double smallest, double stray)
 
 }  // namespace
 
-TEST(Candidates, AreAllPairsNearerThanTheSkin)
+TEST(Candidates, AreAllPairsWithinTheirReaches)
 {
     expectAllNearPairs<2>(0.5, 0);
     expectAllNearPairs<3>(0.5, 0);
@@ -90,7 +99,7 @@ TEST(Candidates, OfANarrowPeriodicBoxAreListedOnce)
     // Either grain sees the other one on both sides; contacts are those of the nearest image
     const nscd::Vectors<2> x{{0.5, 0}, {2.7, 0.1}, {1.6, 1.9}};
     const nscd::Candidates<2> candidates =
-        candidatesOf<2>(x, std::vector<double>(3, 1), nscd::WallContact<2>({}), 0, 1, {4.4, 0, 0});
+        candidatesOf<2>(x, std::vector<double>(3, 1), nscd::WallContact<2>({}), 0, uniform(3, 0.5, 0), {4.4, 0, 0});
     std::multiset<std::pair<int, int>> found;
     for (const nscd::Pair& pair : candidates.pairs())
     {
@@ -113,7 +122,8 @@ TEST(Candidates, ContainNearWallsOnly)
         x.push_back({random.uniform(-5, 105), random.uniform(-5, 40)});
     }
     const nscd::WallContact<2> shapes(walls);
-    const nscd::Candidates<2> candidates = candidatesOf<2>(x, std::vector<double>(500, 0.6), shapes, 100, 0.3);
+    const nscd::Candidates<2> candidates =
+        candidatesOf<2>(x, std::vector<double>(500, 0.6), shapes, 100, uniform(500, 0.1, 0.2));
     std::multiset<std::pair<int, int>> found, expected;
     for (const nscd::Pair& pair : candidates.pairs())
     {
@@ -144,7 +154,8 @@ TEST(Candidates, CountTheWorkOfBlocks)
         x.push_back({i * 1.0, 0.5});
     }
     const nscd::WallContact<2> floor({{{-1, 0}, {3.5, 0}, 0}});
-    const std::vector<double> work = candidatesOf<2>(x, std::vector<double>(16, 0.5), floor, 1, 0.1).work();
+    const nscd::Reach reach = uniform(16, 0.05, 0.05);
+    const std::vector<double> work = candidatesOf<2>(x, std::vector<double>(16, 0.5), floor, 1, reach).work();
     // Two discs to a block and four of them on the floor: pairs of two blocks are the lower one's
     EXPECT_GT(work[0], 2);
     EXPECT_EQ(work[1], work[0]);

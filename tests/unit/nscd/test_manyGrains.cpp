@@ -190,6 +190,25 @@ TEST(Row, IsHitInTimeThroughGapsThatOpenedWithinTheStep)
     EXPECT_LE(dynamics.worstOverlap(), 1e-10);
 }
 
+TEST(Row, PushedByAHeavyGrainStopsBeforeWhatIsFarFromThat)
+{
+    Scene<2> scene;
+    scene.add({0, 0}, {1, 0}, 1, 1e3);
+    for (int i = 1; i <= 10; ++i)
+    {
+        scene.add({2.0 * i, 0});
+    }
+    scene.add({22.5, 0});   // farther than the last one of the row would go, if it were alone
+    auto dynamics = scene.dynamics();
+    const auto report = fall<2>(dynamics, Vector<2>::Zero(), 0.9);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.subSteps, 1);
+    EXPECT_LE(dynamics.worstOverlap(), 1e-10);
+    const nscd::Grains<2>& grains = dynamics.grains();
+    EXPECT_NEAR(grains.velocity[11].x(), grains.velocity[10].x() - 0.5 / 0.9, 1e-10);
+    EXPECT_GT(grains.velocity[11].x(), 0.4);
+}
+
 TEST(Agitation, ConservesMomentumAndCreatesNoEnergy)
 {
     expectMomentumAndEnergyBalance<2>(12);

@@ -66,7 +66,9 @@ void renumberWalls(State<D>& state, const WallNames& names, const std::vector<Wa
         }
         else if (std::count(names.entries.begin(), names.entries.end(), name))
         {
-            throw std::runtime_error(file + ": the wall " + name + " has moved, and now it has no motion");
+            throw std::runtime_error(file + ": the wall " + name +
+                                     " has moved, and now it has no motion; allowed: its motion, or a start before it"
+                                     " had any");
         }
     }
     state.wallBodies = std::move(now);

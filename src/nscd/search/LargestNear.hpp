@@ -9,10 +9,14 @@ namespace nscd
 {
 
 /// For each point [m] the largest of the values >= 0 at all points that are nearer than 'side' [m], and of some that
-/// are not: in its cell of that side and those around it.
+/// are not: in its cell of that side > 0 and those around it.
 template <int D>
 std::vector<double> largestNear(const Vectors<D>& points, const std::vector<double>& values, double side)
 {
+    if (points.empty())
+    {
+        return {};
+    }
     const CellGrid<D> grid(points, side);
     const std::vector<int>&begin = grid.begin(), &members = grid.members();
     std::vector<double> largestIn(grid.cells(), 0.0), result(points.size());

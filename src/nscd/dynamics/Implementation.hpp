@@ -160,6 +160,9 @@ private:
     /// False when the sweeps run out.
     bool separate(double dt, bool converged, StepReport& report);
 
+    /// Find these displacements; returns the residual [m/s].
+    double moveApart(bool accelerated, double tolerance);
+
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);
 

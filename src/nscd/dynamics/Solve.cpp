@@ -168,10 +168,25 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     const double tolerance = settings_.tolerance / dt;
     const double share = converged ? 1 : cautiousShare;
     const Depths depths = problem_.measureOverlaps(bodies_, share);
-    if (communicator_.max(depths.worst) <= tolerance)
+    const double worst = communicator_.max(depths.worst);
+    if (worst <= tolerance)
     {
         return true;
     }
+    double residual = moveApart(true, tolerance);
+    if (residual > worst)   // more grains than there is room for: what is accelerated goes off
+    {
+        problem_.measureOverlaps(bodies_, share);
+        residual = moveApart(false, tolerance);
+    }
+    communicator_.share(displacements_, candidates_.rankBegin());
+    report.leftOverlap = std::max(report.leftOverlap, dt * (residual + communicator_.max(depths.spared)));
+    return residual <= tolerance;
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::moveApart(bool accelerated, double tolerance)
+{
     displacements_ = bodies_;
     for (Body<D>& body : displacements_)
     {
@@ -186,7 +201,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     double residual = 0;
     for (int sweeps = 1; sweeps <= maxSweeps; ++sweeps)
     {
-        const bool mixes = sweeps >= firstMixing && sweeps < maxSweeps - lastPlain;
+        const bool mixes = accelerated && sweeps >= firstMixing && sweeps < maxSweeps - lastPlain;
         if (mixes)
         {
             problem_.get(before, displacements_, true, begin, end);
@@ -217,9 +232,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
             problem_.set(swept, displacements_, true, begin, end);
         }
     }
-    communicator_.share(displacements_, candidates_.rankBegin());
-    report.leftOverlap = std::max(report.leftOverlap, dt * (residual + communicator_.max(depths.spared)));
-    return residual <= tolerance;
+    return residual;
 }
 
 template Change ContactDynamics<2>::Implementation::pass(double);

@@ -104,6 +104,10 @@ INPUTS = {
         swap(SOLUTION, "MULESCorr yes", "MULESCorr no"),
         [SOLUTION, "'MULESCorr'", "value no", "yes"],
     ),
+    "misspelt control of the fraction": (
+        swap(SOLUTION, "nAlphaCorr 1", "nAlphaCor 1"),
+        [SOLUTION, "Unknown keyword 'nAlphaCor'", "nAlphaCorr"],
+    ),
     "no corrections of the fraction": (
         swap(SOLUTION, "nAlphaCorr 1", "nAlphaCorr 0"),
         [SOLUTION, "'nAlphaCorr'", "value 0"],

@@ -45,8 +45,7 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     measureGrains();
     problem_.clear();
     impacts_.clear();
-    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), impulses);
-    candidateWalls_ = wallBodies_;
+    listAnew(reachAtRest(), impulses);
 }
 
 template void ContactDynamics<2>::Implementation::add(const Grains<2>&);

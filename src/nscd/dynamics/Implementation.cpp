@@ -31,7 +31,7 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
     measureGrains();
     measureWalls();
-    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), {});
+    listAnew(reachAtRest(), {});
     StepReport report;
     measureOverlaps(report);
 }

@@ -75,6 +75,10 @@ private:
     std::vector<ContactForce<D>> ownContacts() const;
 
     void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
+
+    /// Of a grain's fastest point without contacts; the surface of a disc or sphere is where it is however it turns.
+    double freeSpeed(std::size_t i) const;
+
     void advance(double dt, StepReport& report);
 
     /// What a sub-step that begins anew needs; without impacts only the report.
@@ -115,6 +119,7 @@ private:
     bool motionIsCovered(double dt, Reach& wanted) const;
 
     void listAnew(const Reach& reach);
+    void listAnew(const Reach& reach, const std::vector<NamedImpulse<D>>& impulses);
     void rebuildCandidates(const Vectors<D>& positions, const Orientations<D>& orientations, const Reach& reach,
                            const std::vector<NamedImpulse<D>>& impulses);
     void makeBodies(double dt);

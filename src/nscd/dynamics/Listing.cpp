@@ -39,8 +39,7 @@ Reach ContactDynamics<D>::Implementation::reachOfMotion(double dt) const
     std::vector<double> way(grains_.size());
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free_.spin[i].norm();
-        way[i] = dt * (free_.velocity[i].norm() + turning);
+        way[i] = dt * freeSpeed(i);
     }
     // A grain may be hit, and get the velocity of one that comes
     way = largestNear<D>(grains_.position, way, 2 * largestRadius_ + dt * free_.largestSpeed);
@@ -136,8 +135,13 @@ bool ContactDynamics<D>::Implementation::motionIsCovered(double dt, Reach& wante
 template <int D>
 void ContactDynamics<D>::Implementation::listAnew(const Reach& reach)
 {
-    rebuildCandidates(grains_.position, grains_.orientation, reach,
-                      gatherImpulses(candidates_, impulses_, communicator_));
+    listAnew(reach, gatherImpulses(candidates_, impulses_, communicator_));
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::listAnew(const Reach& reach, const std::vector<NamedImpulse<D>>& impulses)
+{
+    rebuildCandidates(grains_.position, grains_.orientation, reach, impulses);
     candidateWalls_ = wallBodies_;
 }
 
@@ -227,6 +231,8 @@ template bool ContactDynamics<2>::Implementation::motionIsCovered(double, Reach&
 template bool ContactDynamics<3>::Implementation::motionIsCovered(double, Reach&) const;
 template void ContactDynamics<2>::Implementation::listAnew(const Reach&);
 template void ContactDynamics<3>::Implementation::listAnew(const Reach&);
+template void ContactDynamics<2>::Implementation::listAnew(const Reach&, const std::vector<NamedImpulse<2>>&);
+template void ContactDynamics<3>::Implementation::listAnew(const Reach&, const std::vector<NamedImpulse<3>>&);
 template double ContactDynamics<2>::Implementation::wayOfWalls(double) const;
 template double ContactDynamics<3>::Implementation::wayOfWalls(double) const;
 template double ContactDynamics<2>::Implementation::largestWallSpeed(double) const;

@@ -102,8 +102,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     measureGrains();
     problem_.clear();
     impacts_.clear();
-    rebuildCandidates(grains_.position, grains_.orientation, reachAtRest(), impulses);
-    candidateWalls_ = wallBodies_;
+    listAnew(reachAtRest(), impulses);
 }
 
 template void ContactDynamics<2>::Implementation::remove(const std::vector<bool>&);

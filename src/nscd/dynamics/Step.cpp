@@ -108,9 +108,15 @@ void ContactDynamics<D>::Implementation::setFreeMotion(const Vectors<D>& force, 
     {
         free_.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
         free_.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
-        const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free_.spin[i].norm();
-        free_.largestSpeed = std::max(free_.largestSpeed, free_.velocity[i].norm() + turning);
+        free_.largestSpeed = std::max(free_.largestSpeed, freeSpeed(i));
     }
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::freeSpeed(std::size_t i) const
+{
+    const double turning = grains_.shape[i] < 0 ? 0 : grains_.radius[i] * free_.spin[i].norm();
+    return free_.velocity[i].norm() + turning;
 }
 
 template <int D>

@@ -287,6 +287,23 @@ double ContactProblem<D>::attraction(std::size_t p, double gap, const Impulse<D>
 }
 
 template <int D>
+std::optional<typename ContactProblem<D>::Opening>
+ContactProblem<D>::openingOf(std::size_t p, const std::vector<Body<D>>& bodies, const Vector<D>& besides) const
+{
+    const Pair& pair = candidates_.pairs()[p];
+    if (staysApart(pair, 0, bodies, besides))
+    {
+        return {};
+    }
+    const auto met = meeting(p);
+    if (!met)
+    {
+        return {};
+    }
+    return Opening{met->approach.normal, openingVelocity(pair, met->approach, bodies), met->gap};
+}
+
+template <int D>
 double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
 {
     double largest = 0;
@@ -297,19 +314,14 @@ double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
         {
             continue;
         }
-        const Pair& pair = candidates_.pairs()[p];
-        if (staysApart(pair, 0, bodies))
-        {
-            continue;
-        }
-        const auto met = meeting(p);
-        if (!met)
+        const auto opening = openingOf(p, bodies);
+        if (!opening)
         {
             continue;
         }
         // Those that diverge after an impact would have overlapped before it
-        const double gap = data_.ahead.empty() ? std::max(0.0, met->gap) : met->gap;
-        const double penetration = -(openingVelocity(pair, met->approach, bodies) + gap / dt_);
+        const double gap = data_.ahead.empty() ? std::max(0.0, opening->gap) : opening->gap;
+        const double penetration = -(opening->velocity + gap / dt_);
         if (penetration > 0)
         {
             kept_[p] = 1;
@@ -326,6 +338,12 @@ template void ContactProblem<2>::begin(const std::vector<Impulse<2>>&, double);
 template void ContactProblem<3>::begin(const std::vector<Impulse<3>>&, double);
 template void ContactProblem<2>::choose(std::vector<Body<2>>&, const std::vector<Impulse<2>>&);
 template void ContactProblem<3>::choose(std::vector<Body<3>>&, const std::vector<Impulse<3>>&);
+template std::optional<ContactProblem<2>::Opening> ContactProblem<2>::openingOf(std::size_t,
+                                                                                const std::vector<Body<2>>&,
+                                                                                const Vector<2>&) const;
+template std::optional<ContactProblem<3>::Opening> ContactProblem<3>::openingOf(std::size_t,
+                                                                                const std::vector<Body<3>>&,
+                                                                                const Vector<3>&) const;
 template double ContactProblem<2>::findMissing(const std::vector<Body<2>>&);
 template double ContactProblem<3>::findMissing(const std::vector<Body<3>>&);
 

@@ -196,6 +196,17 @@ private:
     /// other do not touch, and as the distance is convex, those that are stopped do not overlap.
     Meeting meetingAtEnd(const Pair& pair, const Approach<D>& approach) const;
 
+    /// How a candidate opens along its normal [m/s], and the gap of its meeting [m].
+    struct Opening
+    {
+        Vector<D> normal;
+        double velocity, gap;
+    };
+
+    /// By the bodies' velocities; none if it stays apart at them, and at one besides.
+    std::optional<Opening> openingOf(std::size_t p, const std::vector<Body<D>>& bodies,
+                                     const Vector<D>& besides = Vector<D>::Zero()) const;
+
     /// Two grains, not clusters, that stay apart by more than this [m] at the bodies' velocities, and one besides.
     bool staysApart(const Pair& pair, double apart, const std::vector<Body<D>>& bodies,
                     const Vector<D>& besides = Vector<D>::Zero()) const;
@@ -209,6 +220,9 @@ private:
     double openingVelocity(const Pair& pair, const Approach<D>& approach, const std::vector<Body<D>>& bodies) const;
     Vector<D> wallVelocity(int wallBody, const Vector<D>& arm) const;
     bool hadImpact(int body) const;
+
+    /// Append overlaps to those of their groups, [begin[g], begin[g + 1]) to those of g.
+    void insertOverlaps(const std::vector<Overlap<D>>& more, const std::vector<std::size_t>& moreBegin);
 
     /// From the centre of a free wall, where it is arranged, to a contact [m].
     Vector<D> wallArm(const Pair& pair, const Approach<D>& approach, int body) const;

@@ -76,13 +76,12 @@ template <int D>
 double ContactProblem<D>::addPushed(const std::vector<Body<D>>& bodies, const std::vector<Body<D>>& displacements)
 {
     double largest = 0;
-    std::vector<Overlap<D>> all;
-    std::vector<std::size_t> begin;
-    for (std::size_t g = 0; g + 1 < overlapBegin_.size(); ++g)
+    std::vector<Overlap<D>> pushed;
+    std::vector<std::size_t> pushedBegin;
+    for (const Group& group : candidates_.groups())
     {
-        begin.push_back(all.size());
-        all.insert(all.end(), overlaps_.begin() + overlapBegin_[g], overlaps_.begin() + overlapBegin_[g + 1]);
-        for (std::size_t p = candidates_.groups()[g].begin; p < candidates_.groups()[g].end; ++p)
+        pushedBegin.push_back(pushed.size());
+        for (std::size_t p = group.begin; p < group.end; ++p)
         {
             if (listed_[p])
             {
@@ -91,30 +90,44 @@ double ContactProblem<D>::addPushed(const std::vector<Body<D>>& bodies, const st
             const Pair& pair = candidates_.pairs()[p];
             const int i = candidates_.body(pair.first), j = candidates_.secondBody(pair);
             const Vector<D> displacement = displacements[j].velocity - displacements[i].velocity;
-            if (displacement.isZero(0) || staysApart(pair, 0, bodies, displacement))
+            const auto opening = displacement.isZero(0) ? std::nullopt : openingOf(p, bodies, displacement);
+            if (!opening)
             {
                 continue;
             }
-            const auto met = meeting(p);
-            if (!met)
-            {
-                continue;
-            }
-            const Vector<D>& normal = met->approach.normal;
-            const double velocity = openingVelocity(pair, met->approach, bodies) + met->gap / dt_;
-            const double depth = -(velocity + displacement.dot(normal));
+            const double velocity = opening->velocity + opening->gap / dt_;
+            const double depth = -(velocity + displacement.dot(opening->normal));
             if (depth > 0)
             {
                 largest = std::max(largest, depth);
                 listed_[p] = 1;
-                all.push_back({normal, velocity, 1 / (bodies[i].inverseMass + bodies[j].inverseMass), 0, i, j});
+                const double inverseW = 1 / (bodies[i].inverseMass + bodies[j].inverseMass);
+                pushed.push_back({opening->normal, velocity, inverseW, 0, i, j});
             }
         }
+    }
+    pushedBegin.push_back(pushed.size());
+    if (!pushed.empty())
+    {
+        insertOverlaps(pushed, pushedBegin);
+    }
+    return largest;
+}
+
+template <int D>
+void ContactProblem<D>::insertOverlaps(const std::vector<Overlap<D>>& more, const std::vector<std::size_t>& moreBegin)
+{
+    std::vector<Overlap<D>> all;
+    std::vector<std::size_t> begin;
+    for (std::size_t g = 0; g + 1 < overlapBegin_.size(); ++g)
+    {
+        begin.push_back(all.size());
+        all.insert(all.end(), overlaps_.begin() + overlapBegin_[g], overlaps_.begin() + overlapBegin_[g + 1]);
+        all.insert(all.end(), more.begin() + moreBegin[g], more.begin() + moreBegin[g + 1]);
     }
     begin.push_back(all.size());
     overlaps_.swap(all);
     overlapBegin_.swap(begin);
-    return largest;
 }
 
 template Depths ContactProblem<2>::measureOverlaps(const std::vector<Body<2>>&, double);

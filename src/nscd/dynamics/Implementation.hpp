@@ -166,7 +166,7 @@ private:
     bool separate(double dt, bool converged, StepReport& report);
 
     /// Find these displacements; returns the residual [m/s].
-    double moveApart(bool accelerated, double tolerance);
+    double moveApart(bool accelerated, int maxSweeps, double tolerance);
 
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);

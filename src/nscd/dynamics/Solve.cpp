@@ -13,9 +13,14 @@ namespace nscd
 namespace
 {
 
-/// Share of the overlaps that a step removes when the impulses have not converged, where there were no impacts.  Moving
-/// grains of a deep pile disturbs the force network; it must happen more slowly than the sweeps restore it.
-constexpr double cautiousShare = 0.1;
+/// Share of the overlaps, up to a part of the smaller radius, that a step removes when the impulses have not converged,
+/// where there were no impacts.  Moving grains of a deep pile disturbs the force network; it must happen more slowly
+/// than the sweeps restore it.  What is deeper comes of grains that fall, and would become deeper.
+constexpr double cautiousShare = 0.1, shallow = 0.01;
+
+/// Displacements whose residual is above this part of the worst overlap have not been found, as where there are more
+/// grains than room or heavy ones lie on light ones.  Acceleration makes them worse, and so does asking for much.
+constexpr double notFound = 0.2;
 
 /// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
 constexpr int firstLook = 4;
@@ -167,17 +172,20 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     displacements_.clear();
     const double tolerance = settings_.tolerance / dt;
     const double share = converged ? 1 : cautiousShare;
-    const Depths depths = problem_.measureOverlaps(bodies_, share);
+    Depths depths = problem_.measureOverlaps(bodies_, share, shallow);
     const double worst = communicator_.max(depths.worst);
     if (worst <= tolerance)
     {
         return true;
     }
-    double residual = moveApart(true, tolerance);
-    if (residual > worst)   // more grains than there is room for: what is accelerated goes off
+    const bool isUrgent = isUneven() || !data_.ahead.empty() || communicator_.max(depths.deep) > 0;
+    const int maxSweeps = std::max(1, isUrgent ? settings_.maxSweeps : settings_.maxSweeps / 4);
+    double residual = moveApart(true, maxSweeps, tolerance);
+    if (residual > notFound * worst)
     {
-        problem_.measureOverlaps(bodies_, share);
-        residual = moveApart(false, tolerance);
+        constexpr double anyDepth = std::numeric_limits<double>::infinity();
+        depths = problem_.measureOverlaps(bodies_, share, anyDepth);
+        residual = moveApart(false, maxSweeps, tolerance);
     }
     communicator_.share(displacements_, candidates_.rankBegin());
     report.leftOverlap = std::max(report.leftOverlap, dt * (residual + communicator_.max(depths.spared)));
@@ -185,7 +193,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
 }
 
 template <int D>
-double ContactDynamics<D>::Implementation::moveApart(bool accelerated, double tolerance)
+double ContactDynamics<D>::Implementation::moveApart(bool accelerated, int maxSweeps, double tolerance)
 {
     displacements_ = bodies_;
     for (Body<D>& body : displacements_)
@@ -196,8 +204,6 @@ double ContactDynamics<D>::Implementation::moveApart(bool accelerated, double to
     const std::size_t end = candidates_.rankBegin()[communicator_.rank() + 1];
     Anderson anderson(communicator_, candidates_.blocks());
     Unknowns before, swept;
-    const bool isUrgent = isUneven() || !data_.ahead.empty();
-    const int maxSweeps = std::max(1, isUrgent ? settings_.maxSweeps : settings_.maxSweeps / 4);
     double residual = 0;
     for (int sweeps = 1; sweeps <= maxSweeps; ++sweeps)
     {

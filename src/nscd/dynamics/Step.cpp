@@ -155,5 +155,7 @@ template StepReport ContactDynamics<2>::Implementation::step(const Vectors<2>&, 
 template StepReport ContactDynamics<3>::Implementation::step(const Vectors<3>&, const Spins<3>&, double);
 template void ContactDynamics<2>::Implementation::measureOverlaps(StepReport&);
 template void ContactDynamics<3>::Implementation::measureOverlaps(StepReport&);
+template double ContactDynamics<2>::Implementation::freeSpeed(std::size_t) const;
+template double ContactDynamics<3>::Implementation::freeSpeed(std::size_t) const;
 
 }  // namespace nscd

@@ -32,6 +32,7 @@ struct Depths
 {
     double worst = 0;
     double spared = 0;   ///< worst part that this sub-step is to leave
+    bool deep = false;   ///< is one deeper than 'shallow'?
 };
 
 /// What a pass over contacts did.
@@ -122,8 +123,9 @@ public:
     bool incomplete() const { return incomplete_; }
 
     /// Find what would overlap at the end of the step if the bodies moved with their present velocities.  The sweeps of
-    /// separate() will remove the given share of it, but all of it at contacts of bodies that had an impact.
-    Depths measureOverlaps(const std::vector<Body<D>>& bodies, double share);
+    /// separate() will remove the given share of its first part, of 'shallow' of the smaller radius, and all beyond;
+    /// and all of it at contacts of bodies that had an impact.
+    Depths measureOverlaps(const std::vector<Body<D>>& bodies, double share, double shallow);
 
     /// One sweep over a group that pushes overlapping bodies apart: displacements/dt stand in the bodies' velocity.
     /// Returns the square of the largest change [m^2/s^2].

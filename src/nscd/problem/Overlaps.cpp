@@ -9,7 +9,7 @@ namespace nscd
 {
 
 template <int D>
-Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share)
+Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, double share, double shallow)
 {
     Depths depths;
     overlaps_.clear();
@@ -18,8 +18,10 @@ Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, do
     const auto add = [&](const auto& c, const Vector<D>& normal, const Origin& origin)
     {
         const double velocity = normalVelocity(c, bodies[c.i], bodies[c.j]) + origin.gap / dt_;
+        const double slow = -shallow * arrangement_.radius(candidates_.pairs()[origin.pair]) / dt_;
         const bool spares = velocity < 0 && !hadImpact(c.i) && !hadImpact(c.j);
-        const double removed = spares ? share * velocity : velocity;
+        const double removed = spares ? velocity - (1 - share) * std::max(velocity, slow) : velocity;
+        depths.deep = depths.deep || velocity < slow;
         depths.worst = std::max(depths.worst, -velocity);
         depths.spared = std::max(depths.spared, removed - velocity);
         overlaps_.push_back({normal, removed, 1 / (bodies[c.i].inverseMass + bodies[c.j].inverseMass), 0, c.i, c.j});
@@ -130,8 +132,8 @@ void ContactProblem<D>::insertOverlaps(const std::vector<Overlap<D>>& more, cons
     overlapBegin_.swap(begin);
 }
 
-template Depths ContactProblem<2>::measureOverlaps(const std::vector<Body<2>>&, double);
-template Depths ContactProblem<3>::measureOverlaps(const std::vector<Body<3>>&, double);
+template Depths ContactProblem<2>::measureOverlaps(const std::vector<Body<2>>&, double, double);
+template Depths ContactProblem<3>::measureOverlaps(const std::vector<Body<3>>&, double, double);
 template bool ContactProblem<2>::hadImpact(int) const;
 template bool ContactProblem<3>::hadImpact(int) const;
 template double ContactProblem<2>::separate(int, std::vector<Body<2>>&);

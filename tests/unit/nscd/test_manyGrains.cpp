@@ -241,6 +241,23 @@ TEST(Overlap, IsNotPushedOnToGrainsWithoutAContact)
     EXPECT_EQ(kineticEnergy(dynamics.grains()), 0);
 }
 
+TEST(Overlap, OfGrainsThatFallStaysSmallWhereSweepsRunOut)
+{
+    Scene<2> scene = agitated<2>(20, 0.4);
+    scene.settings.maxSweeps = 30;
+    auto dynamics = scene.dynamics();
+    bool converged = true;
+    double worst = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+        const nscd::StepReport report = fall<2>(dynamics, up<2>(-g), 2e-2);
+        converged = converged && report.converged;
+        worst = std::max(worst, report.worstOverlap);
+    }
+    EXPECT_FALSE(converged);
+    EXPECT_LT(worst, 0.01);   // of the largest radius; 0.028 when a tenth of any depth is removed
+}
+
 TEST(Overlap, OfCoincidentGrainsIsRemovedInTheEnd)
 {
     Scene<2> scene(0.3);

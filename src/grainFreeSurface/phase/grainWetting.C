@@ -6,7 +6,7 @@
 #include "grainWetting.H"
 
 #include "dictionaryInput.H"
-#include "mathematicalConstants.H"
+#include "unitConversion.H"
 
 namespace
 {

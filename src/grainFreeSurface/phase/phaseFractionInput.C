@@ -33,7 +33,13 @@ void Foam::phaseFraction::checkControls(const volScalarField& alpha)
             "cAlpha", "icAlpha", "scAlpha", "alphaApplyPrevCorr",
             "smoothLimiter", "extremaCoeff", "boundaryExtremaCoeff",
             "solver", "preconditioner", "smoother", "nSweeps", "tolerance",
-            "relTol", "minIter", "maxIter", "log"
+            "relTol", "minIter", "maxIter", "log",
+            "agglomerator", "nCellsInCoarsestLevel", "mergeLevels",
+            "cacheAgglomeration", "processorAgglomerator", "nPreSweeps",
+            "preSweepsLevelMultiplier", "maxPreSweeps", "nPostSweeps",
+            "postSweepsLevelMultiplier", "maxPostSweeps", "nFinestSweeps",
+            "interpolateCorrection", "scaleCorrection", "directSolveCoarsest",
+            "coarsestLevelCorr"
         }
     );
     const auto demand = [&](const word& keyword, const bool allowed)

@@ -104,6 +104,9 @@ private:
     /// By the velocities without contacts of each grain and of those around it.
     Reach reachOfMotion(double dt) const;
 
+    /// Sub-steps to look ahead when each grain goes this far in one [m]: a list for more of them has more pairs.
+    double cheapestForesight(const std::vector<double>& way) const;
+
     /// How far a grain or a wall is from where it was when candidates were listed, after it has gone on [m] and turned
     /// [m, rad]: the farthest of its points [m].
     double wayOfGrain(std::size_t i, const Vector<D>& onwards, double turning) const;
@@ -165,8 +168,10 @@ private:
     /// False when the sweeps run out.
     bool separate(double dt, bool converged, StepReport& report);
 
-    /// Find these displacements; returns the residual [m/s].
-    double moveApart(bool accelerated, int maxSweeps, double tolerance);
+    /// Find these displacements; returns the residual [m/s].  Gives up where it is above a limit after a quarter of
+    /// the sweeps.
+    double moveApart(bool accelerated, int maxSweeps, double tolerance,
+                     double limit = std::numeric_limits<double>::infinity());
 
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);

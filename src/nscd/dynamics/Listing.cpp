@@ -13,9 +13,12 @@ namespace nscd
 namespace
 {
 
-/// Reach over the way in a step of the fastest grain near one, besides the reach at rest: lists for more steps have
-/// more pairs, which cost more than a new list.
-constexpr double foresight = 1.05;
+/// What a reach may be over the way in a sub-step of the fastest grain near one, besides the reach at rest.
+constexpr double foresights[] = {1.05, 2.1, 4.2, 8.4};
+
+/// What the pairs of a list cost in each sub-step and when it is made, over the part of a list that is the same for
+/// any number of them; per grain and volume that its reach covers over its own (bench/README, "Lists").
+constexpr double costOfPairs = 0.5, costOfPairsInList = 0.4;
 
 /// Grains and walls that have gone further than was foreseen get this many times as far.
 constexpr double generosity = 1.5;
@@ -44,13 +47,39 @@ Reach ContactDynamics<D>::Implementation::reachOfMotion(double dt) const
     // A grain may be hit, and get the velocity of one that comes
     way = largestNear<D>(grains_.position, way, 2 * largestRadius_ + dt * free_.largestSpeed);
 
+    const double foresight = cheapestForesight(way);
     Reach reach = reachAtRest();
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         reach.ofGrain[i] += foresight * way[i];
     }
-    reach.ofWalls += 2 * dt * largestWallSpeed(dt);
+    reach.ofWalls += 2 * foresight * dt * largestWallSpeed(dt);
     return reach;
+}
+
+template <int D>
+double ContactDynamics<D>::Implementation::cheapestForesight(const std::vector<double>& way) const
+{
+    const double atRest = restReach * meanRadius_;
+    const double farthest = way.empty() ? 0 : *std::max_element(way.begin(), way.end());
+    double best = foresights[0], least = std::numeric_limits<double>::infinity();
+    for (const double foresight : foresights)
+    {
+        double pairs = 0;
+        for (const double w : way)
+        {
+            const double size = 1 + (atRest + foresight * w) / meanRadius_;
+            pairs += (D == 2 ? size * size : size * size * size) / static_cast<double>(way.size());
+        }
+        const double steps = foresight + (farthest > 0 ? atRest / farthest : 0);
+        const double cost = costOfPairs * pairs + (1 + costOfPairsInList * pairs) / steps;
+        if (cost < least)
+        {
+            least = cost;
+            best = foresight;
+        }
+    }
+    return best;
 }
 
 template <int D>

@@ -16,11 +16,12 @@ namespace
 /// Share of the overlaps, up to a part of the smaller radius, that a step removes when the impulses have not converged,
 /// where there were no impacts.  Moving grains of a deep pile disturbs the force network; it must happen more slowly
 /// than the sweeps restore it.  What is deeper comes of grains that fall, and would become deeper.
-constexpr double cautiousShare = 0.1, shallow = 0.01;
+constexpr double cautiousShare = 0.1, shallow = 0.01, anyDepth = std::numeric_limits<double>::infinity();
 
-/// Displacements whose residual is above this part of the worst overlap have not been found, as where there are more
-/// grains than room or heavy ones lie on light ones.  Acceleration makes them worse, and so does asking for much.
-constexpr double notFound = 0.2;
+/// Displacements that remove deep overlaps have not been found if their residual is above this part of the worst one,
+/// as in a bed that is pressed as a whole, or where heavy grains lie on light ones: to ask for much makes it worse.
+/// They will not be if it is above the second part after a quarter of the sweeps.
+constexpr double notFound = 0.2, hopeless = 0.5;
 
 /// Sweeps after which the contacts not chosen are looked at for the first time; then at four times the number.
 constexpr int firstLook = 4;
@@ -178,12 +179,15 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     {
         return true;
     }
-    const bool isUrgent = isUneven() || !data_.ahead.empty() || communicator_.max(depths.deep) > 0;
-    const int maxSweeps = std::max(1, isUrgent ? settings_.maxSweeps : settings_.maxSweeps / 4);
-    double residual = moveApart(true, maxSweeps, tolerance);
-    if (residual > notFound * worst)
+    const int few = std::max(1, settings_.maxSweeps / 4);
+    const bool isDeep = communicator_.max(depths.deep) > 0;
+    const bool isUrgent = isUneven() || !data_.ahead.empty();
+    const int maxSweeps = isUrgent ? settings_.maxSweeps : few;
+    double residual = isDeep && !isUrgent ? moveApart(true, settings_.maxSweeps, tolerance, hopeless * worst)
+                                          : moveApart(true, maxSweeps, tolerance);
+    if (residual > (isDeep ? notFound : 1) * worst)
     {
-        constexpr double anyDepth = std::numeric_limits<double>::infinity();
+        // Acceleration goes off where there are more grains than room
         depths = problem_.measureOverlaps(bodies_, share, anyDepth);
         residual = moveApart(false, maxSweeps, tolerance);
     }
@@ -193,7 +197,7 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
 }
 
 template <int D>
-double ContactDynamics<D>::Implementation::moveApart(bool accelerated, int maxSweeps, double tolerance)
+double ContactDynamics<D>::Implementation::moveApart(bool accelerated, int maxSweeps, double tolerance, double limit)
 {
     displacements_ = bodies_;
     for (Body<D>& body : displacements_)
@@ -215,13 +219,14 @@ double ContactDynamics<D>::Implementation::moveApart(bool accelerated, int maxSw
         double change = 0;
         schedule_->pass(displacements_,
                         [&](int group) { change = std::max(change, problem_.separate(group, displacements_)); });
-        const bool isTimeToLook = sweeps == (maxSweeps + 1) / 2 || sweeps == maxSweeps;
+        const bool isQuarter = std::isfinite(limit) && sweeps == (maxSweeps + 3) / 4;
+        const bool isTimeToLook = isQuarter || sweeps == (maxSweeps + 1) / 2 || sweeps == maxSweeps;
         if (std::sqrt(communicator_.max(change)) <= tolerance || isTimeToLook)
         {
             schedule_->refresh(displacements_);
             const double pushed = communicator_.max(problem_.addPushed(bodies_, displacements_));
             residual = communicator_.max(problem_.separationResidual(displacements_));
-            if (residual <= tolerance)
+            if (residual <= tolerance || (isQuarter && residual > limit))
             {
                 break;
             }

@@ -5,6 +5,7 @@
 
 #include "heatLaw.H"
 
+#include "mathematicalConstants.H"
 #include "selected.H"
 #include "shapeOfLaw.H"
 
@@ -35,6 +36,9 @@ Foam::autoPtr<Foam::heatLaw> Foam::heatLaw::New
             wordList({law->shape()})
         )
     );
-    law->surface_ = shape == "sphere" ? 6 : 4;
+    using constant::mathematical::pi;
+    const bool isOfSpheres = shape == "sphere";
+    law->surface_ = isOfSpheres ? 6 : 4;
+    law->leastEps_ = 1 - pi/std::sqrt(isOfSpheres ? 18.0 : 12.0);
     return law;
 }

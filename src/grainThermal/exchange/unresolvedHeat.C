@@ -51,7 +51,7 @@ Foam::scalar Foam::unresolvedHeat::h
     const scalar Re = rho*slip*d/mu;
     const scalar Pr = mu*conductor_.capacity(o.cell)/(rho*k);
 
-    const scalar Nu = law_->Nu(eps, Re, Pr);
+    const scalar Nu = law_->Nu(max(eps, law_->leastEps()), Re, Pr);
     return
         law_->perVolume(Nu, k, d)
        *selfInduced::heatFactor(Nu, Re*Pr, own.lone, d, own.length);

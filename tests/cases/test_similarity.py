@@ -29,8 +29,10 @@ def exchange(case, angle):
     replace(case, GRAINS, f"contactAngle {angle};", f"contactAngle {180 - angle};")
 
 
-@pytest.mark.parametrize("angle", [60, 120])
-def test_fluids_that_change_their_names_move_as_before(clone, angle):
+@pytest.mark.parametrize(
+    ("angle", "gravity"), [(60, (0, -9.81)), (120, (0, -9.81)), (60, (3.0, -9.3))]
+)
+def test_fluids_that_change_their_names_move_as_before(clone, angle, gravity):
     """Of grains with a contact angle, too, beyond whose surface the fraction is bent."""
     rest, columns = (1000.0, 1.0), column(0.06, 0.07)
     fields = []
@@ -41,6 +43,7 @@ def test_fluids_that_change_their_names_move_as_before(clone, angle):
         )
         replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")
         replace(case, GRAINS, "density 2500;", f"density 2500; contactAngle {angle};")
+        replace(case, "constant/g", "(0 -9.81 0)", f"({gravity[0]} {gravity[1]} 0)")
         if swapped:
             exchange(case, angle)
         case.run("grainInterFoam")

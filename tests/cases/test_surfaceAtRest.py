@@ -13,6 +13,7 @@ from water_box import AIR, SIZE, WATER, set_water, to_two_fluids
 GRAINS = "constant/grainProperties"
 HEIGHT = 0.0525
 SHEAR = np.tan(np.radians(30))
+UPRIGHT, TURNED = np.eye(2), np.array([[0.96, -0.28], [0.28, 0.96]])
 CORNERS = ("(0   0.1 {z})", "(0.1 0.1 {z})", "(0.1 0   {z})")
 
 
@@ -30,9 +31,9 @@ def area_below(polygon, height):
     return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
 
 
-def shares(case, height):
-    """Of each cell below a height, round-off of the cutting left out."""
-    full = [np.asarray(p)[:, :2] for p in case.mesh().polygons]
+def shares(case, height, turn=UPRIGHT):
+    """Of each cell below a height in a turned box, round-off of the cutting left out."""
+    full = [np.asarray(p)[:, :2] @ turn.T for p in case.mesh().polygons]
     share = np.array([area_below(p, height) / area_below(p, np.inf) for p in full])
     share[share < 1e-12] = 0
     share[share > 1 - 1e-12] = 1
@@ -44,24 +45,33 @@ def moved(mesh, x, y):
     return (x + SHEAR * y, y) if mesh == "columns" else (x, y + SHEAR * (x - SIZE / 2))
 
 
-def pool(clone, mesh, centres=(), radius=0.003, fixed=True, height=HEIGHT):
-    """Columns or rows of quads sheared by 30 degrees, or triangles; water up to a height."""
+def pool(
+    clone, mesh, centres=(), radius=0.003, fixed=True, height=HEIGHT, densities=(WATER, AIR)
+):
+    """Columns or rows of quads sheared by 30 degrees, turned squares or triangles.
+
+    The heavier fluid, or the first, is up to a height.
+    """
     case = clone("grainBox")
     write_csv(case, centres, radius)
     if mesh == "triangles":
         mesh_triangles(case)
     else:
         replace(case, "system/blockMeshDict", "(10 10 1)", "(20 20 1)")
-        for corner in CORNERS:
+        for corner in () if mesh == "turned" else CORNERS:
             for z in ("0", "0.01"):
                 old = corner.format(z=z)
                 x, y = (float(s) for s in old.strip("()").split()[:2])
                 dx, dy = (SHEAR * y, 0) if mesh == "columns" else (0, SHEAR * x)
                 replace(case, "system/blockMeshDict", old, f"({x + dx:.16g} {y + dy:.16g} {z})")
         case.run("blockMesh")
-    to_two_fluids(case)
-    level = shares(case, height)
-    set_water(case, lambda low, high: level)
+    turn = TURNED if mesh == "turned" else UPRIGHT
+    x, y = -9.81 * turn[1]
+    replace(case, "constant/g", "(0 -9.81 0)", f"({x:.16g} {y:.16g} 0)")
+    to_two_fluids(case, densities)
+    below = shares(case, height, turn)
+    first = below if densities[0] >= densities[1] else 1 - below
+    set_water(case, lambda low, high: first)
     if fixed:
         replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion fixed;")
     case.dict_set("system/fvSolution", "PIMPLE/momentumPredictor", "no")
@@ -83,6 +93,13 @@ def test_pool(clone, mesh):
     assert_rest(case, 100)
     # What is left of the corrections ends them long before the sixtieth
     assert case.log.count("Solving for p_rgh") < 100 * 2 * 30
+
+
+@pytest.mark.parametrize("densities", [(AIR, WATER), (WATER, AIR), (WATER, WATER)])
+@pytest.mark.parametrize("mesh", ["rows", "turned", "triangles"])
+def test_either_fluid_may_be_named_first(clone, mesh, densities):
+    """The first was below the levels, however light: 0.02 to 1.3 of sqrt(g h)."""
+    assert_rest(pool(clone, mesh, [(0.0513, 0.0533)], 0.012, densities=densities), 40)
 
 
 @pytest.mark.parametrize("mesh", ["columns", "rows", "triangles"])

@@ -21,8 +21,7 @@ Foam::twoFluids::twoFluids
     mixture_(U, phiU),
     tension_(surfaceTensionModel::New(mixture_, mesh_)),
     weight_(mesh_, g),
-    gravity_(mag(g.value())),
-    levels_(mesh_, g.value()),
+    levels_(mesh_, g.value(), (mixture_.rho1() - mixture_.rho2()).value()),
     rho_
     (
         IOobject("rho", U.time().timeName(), mesh_),
@@ -75,8 +74,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::faceForce() const
     tmp<surfaceScalarField> heights(weight_.heights());
     if (levels_.isNeeded())
     {
-        heights =
-            levels_.heights(alpha(), heights, gravity_, weight_.reference());
+        heights = levels_.heights(alpha(), heights, weight_.reference());
     }
     return
         weight_.force(rho_, heights())

@@ -91,7 +91,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::flatness
     const surfaceVectorField gradient(fvc::interpolate(fvc::grad(alpha)));
     const surfaceScalarField cosine
     (
-        mag(gradient & up_)
+        mag(gradient & out_)
        /(mag(gradient) + dimensionedScalar("small", gradient.dimensions(), VSMALL))
     );
     return max

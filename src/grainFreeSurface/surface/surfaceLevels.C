@@ -38,10 +38,16 @@ bool isAligned(const vector& x, const vector& direction)
 }
 
 
-Foam::surfaceLevels::surfaceLevels(const fvMesh& mesh, const vector& g)
+Foam::surfaceLevels::surfaceLevels
+(
+    const fvMesh& mesh,
+    const vector& g,
+    const scalar excess
+)
 :
     mesh_(mesh),
-    up_(mag(g) > SMALL ? -g/mag(g) : vector(Zero)),
+    out_(mag(g) > SMALL && excess != 0 ? -sign(excess)*g/mag(g) : vector(Zero)),
+    gravity_(-sign(excess)*mag(g)),
     isNeeded_(!isAlongGravity())
 {
     findEnds();
@@ -55,7 +61,7 @@ void Foam::surfaceLevels::findEnds()
     highest_.resize(nCells);
     forAll(lowest_, celli)
     {
-        const cutCell cell(mesh_, celli, up_);
+        const cutCell cell(mesh_, celli, out_);
         lowest_[celli] = cell.level(0);
         highest_[celli] = cell.level(1);
     }
@@ -73,10 +79,10 @@ bool Foam::surfaceLevels::isAlongGravity() const
         );
         isAlong =
             isAlong
-         && isAligned(mesh_.Sf()[facei], up_)
-         && isAligned(way, up_);
+         && isAligned(mesh_.Sf()[facei], out_)
+         && isAligned(way, out_);
     }
-    return returnReduce(isAlong, andOp<bool>()) || mag(up_) < SMALL;
+    return returnReduce(isAlong, andOp<bool>()) || mag(out_) < SMALL;
 }
 
 
@@ -96,7 +102,7 @@ Foam::scalar Foam::surfaceLevels::level
     return
         share <= 0 ? lowest_[celli]
       : share >= 1 ? highest_[celli]
-      : cutCell(mesh_, celli, up_).level(share);
+      : cutCell(mesh_, celli, out_).level(share);
 }
 
 
@@ -125,7 +131,7 @@ Foam::scalar Foam::surfaceLevels::share
     const scalar height
 ) const
 {
-    return cutCell(mesh_, celli, up_).share(height);
+    return cutCell(mesh_, celli, out_).share(height);
 }
 
 
@@ -136,7 +142,7 @@ void Foam::surfaceLevels::limit
     surfaceScalarField& alphaFlux
 ) const
 {
-    limitToWetFaces(flux, levels(alpha), alpha, up_, alphaFlux);
+    limitToWetFaces(flux, levels(alpha), alpha, out_, alphaFlux);
 }
 
 
@@ -144,7 +150,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
 (
     const volScalarField& alpha,
     const tmp<surfaceScalarField>& ofMesh,
-    const scalar gravity,
     const scalar reference
 ) const
 {
@@ -163,7 +168,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::surfaceLevels::heights
     {
         const scalar P = weight(alphaP), N = weight(alphaN);
         const scalar height = (P*levelP + N*levelN)/(P + N);
-        gh += flat*(-gravity*height - reference - gh);
+        gh += flat*(gravity_*height - reference - gh);
     };
     forAll(mesh_.neighbour(), facei)
     {

@@ -49,11 +49,13 @@ Foam::saturatedSurface::saturatedSurface
         )
     ),
     temperature_(file("dropletTemperature")),
-    waiting_(file("dropletVapour"))
+    waiting_(file("dropletVapour")),
+    left_(file("dropletHeatLeft"))
 {
     checkCurve(dict);
     temperature_.resize(nDroplets, initial_);
     waiting_.resize(nDroplets, 0);
+    left_.resize(nDroplets, 0);
 }
 
 
@@ -109,13 +111,21 @@ Foam::scalar Foam::saturatedSurface::evaporate
     scalar& heat
 )
 {
+    // Without, the temperature of a droplet that has little liquid left swings
+    constexpr scalar damping = 0.5;
+    // Of a change in which the vapour at the surface becomes half as much again
+    constexpr scalar largest = 0.5;
+
     const scalar capacity = liquidMass*liquid_.Cp;
     scalar& T = temperature_[i];
     waiting_[i] = 0;
 
     // Heat that it does not take now waits, which is stable at any step
     const scalar excess = heat - mass*liquid_.latentHeat;
-    scalar dT = excess/(capacity + stiffness);
+    const scalar limit = largest*share(T)/max(slope(T), VSMALL);
+    scalar dT =
+        (excess - (1 - damping)*left_[i])/(capacity + stiffness);
+    dT = min(max(dT, -limit), limit);
     scalar boiled = 0;
     if (T + dT > liquid_.boilingTemperature)
     {
@@ -125,6 +135,7 @@ Foam::scalar Foam::saturatedSurface::evaporate
     }
     T += dT;
     heat = excess - dT*capacity - boiled*liquid_.latentHeat;
+    left_[i] = heat;
     return mass + boiled;
 }
 
@@ -135,11 +146,12 @@ void Foam::saturatedSurface::follow
     const label nDroplets
 )
 {
-    scalarField T(nDroplets, Zero), waiting(nDroplets, Zero);
+    scalarField T(nDroplets, Zero), waiting(nDroplets, Zero), left(T);
     forAll(fates, i)
     {
         T[fates[i].now] += fates[i].share*temperature_[i];
         waiting[fates[i].now] += waiting_[i];
+        left[fates[i].now] += left_[i];
     }
     for (scalar& value : T)
     {
@@ -148,6 +160,7 @@ void Foam::saturatedSurface::follow
     }
     temperature_ = T;
     waiting_ = waiting;
+    left_ = left;
 }
 
 
@@ -155,4 +168,5 @@ void Foam::saturatedSurface::remove(const std::vector<bool>& gone)
 {
     keepUnmarked(temperature_, gone);
     keepUnmarked(waiting_, gone);
+    keepUnmarked(left_, gone);
 }

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from droplet_box import BOILING, GAS, droplet_table, make_gas, open_top, with_droplets
 from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace, tracks
-from heat_box import with_heat
+from heat_box import heat_ledger, with_heat
 
 H = 0.0025
 RADIUS = 4 * H
@@ -14,7 +14,7 @@ PLACE = np.array([0.051, 0.0503])
 CELLS = [0.3, 1, 2.4, 3.9]
 
 
-def across(clone, cells, grain=None, velocity=(0, 0), stream=None, **options):
+def across(clone, cells, grain=None, velocity=(0, 0), stream=None, heat=None, **options):
     """A droplet in gas with a grain of some cells in a diameter whose centre is on its surface, or
     elsewhere; both, and the gas if there is a stream, move."""
     if grain is None:
@@ -27,7 +27,7 @@ def across(clone, cells, grain=None, velocity=(0, 0), stream=None, **options):
         open_ends(case, stream)
         replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {stream} 0)")
     case.run("blockMesh")
-    with_heat(case, T=BOILING, grains=BOILING, fluid=GAS)
+    with_heat(case, **{"T": BOILING, "grains": BOILING, "fluid": GAS} | (heat or {}))
     make_gas(case)
     if stream is None:
         open_top(case)
@@ -78,3 +78,19 @@ def test_a_droplet_that_hits_a_grain_takes_it_along(clone, cells):
     np.testing.assert_allclose(book["vy"] + ratio * track[:, 6], -0.4, rtol=5e-3)
     inside = np.pi * (cells * H / 2) ** 2 * DEPTH
     assert book["inside"].max() <= inside * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("cells", CELLS)
+def test_heat_of_a_hot_grain_that_a_droplet_takes_in_closes(clone, cells):
+    """Henry's law in cells that the grain and the droplet fill."""
+    grain = PLACE + [7e-4, -(RADIUS + 0.6 * cells * H)]
+    law = "type Henry; shape sphere;"
+    heat = {"T": BOILING + 30, "grains": BOILING + 230, "law": law}
+    case = across(clone, cells, grain, velocity=(0, -0.4), heat=heat)
+    control(case, endTime=0.03, deltaT=5e-4, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book = heat_ledger(case)
+    assert book["fluidError"].max() < 1e-8
+    assert book["leastT"].min() > BOILING - 1e-6
+    assert book["mostT"].max() < BOILING + 230
+    assert droplet_table(case)["fromGrains"].min() > -1e-12

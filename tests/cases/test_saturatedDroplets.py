@@ -112,3 +112,17 @@ def test_water_is_kept(clone, start, psi):
     through = volume.sum() - before - lost / GAS_RHO
     gained = GAS_RHO * (volume @ case.field("psi") - psi * (before + through))
     assert gained == pytest.approx(lost + book["diffused"][-1], rel=1e-8)
+
+
+@pytest.mark.parametrize("dt", [2e-3, 5e-3])
+def test_the_last_of_it_keeps_its_temperature(clone, dt):
+    """That of the wet bulb, 328 K, within what half as much vapour again is at its surface."""
+    case = saturated(clone, 600.0, 320.0, density=10, liquid="Cp 4200;")
+    control(case, endTime=5, deltaT=dt, writeInterval=10000)
+    case.run("grainDropletFoam")
+    book, gas = droplet_table(case), heat_ledger(case)
+    assert book["time"][-1] < 4.9
+    late = book["temperature"][book["time"] > 0.2]
+    assert 313 < late.min() and late.max() < 343
+    assert gas["leastT"].min() > 313
+    assert gas["fluidError"].max() < 1e-6

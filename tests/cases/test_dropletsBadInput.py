@@ -73,6 +73,7 @@ BAD = {
     "no table": (lambda case: (case.path / CSV).unlink(), "droplets.csv"),
     "empty table": (table(""), "droplets.csv"),
     "small": (table(HEAD + "0.05,0.05,0.005,0.01\n"), "fewer than 4 cells across"),
+    "soon gone": (add("tolerance 2e-4;"), "ten times the radius at which droplets are gone"),
     "outside": (table(HEAD + "0.5,0.5,0.005,0.02\n"), "'initialDroplets'"),
     "over a wall": (table(HEAD + "0.01,0.055,0.005,0.02\n"), "only in part in the mesh"),
     "one in another": (
@@ -159,3 +160,14 @@ def test_vapour_without_a_way_out_is_said_once(clone, isOpen):
 
     # Without grains there is nothing to differ from
     assert ledger(case)["momentumError"].max() == 0
+
+
+@pytest.mark.parametrize("cold", [True, False], ids=["cold", "hot"])
+def test_heat_that_a_boiling_droplet_gives_away_is_said_once(clone, cold):
+    grains = BOILING - 100 if cold else BOILING
+    case = with_heat(grain_box(clone, [(0.05, 0.055)], 0.008), T=BOILING, grains=grains, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    with_droplets(case, [(0.05, 0.055)], 0.02, latent=1e3)
+    case.run("grainDropletFoam")
+    assert case.log.count("colder than its boilingTemperature") == (1 if cold else 0)

@@ -104,6 +104,15 @@ void Foam::liquidDroplets::checkNew(const label first, const word& keyword)
                 << system_.mappedVolume()[i]/system_.volume(i) << " of it";
             allowed << "droplets that stick out of no wall or patch";
         }
+        else if (system_.motion().radius(i) < 10*leastRadius())
+        {
+            what
+                << "has less than ten times the radius at which droplets are"
+                << " gone, " << leastRadius() << " m";
+            allowed
+                << "larger droplets, or a smaller 'tolerance', of which that is"
+                << " 20 times";
+        }
         if (what.str().size())
         {
             FatalIOErrorInFunction(dict_)
@@ -244,13 +253,12 @@ void Foam::liquidDroplets::setVolumes
 
 Foam::scalar Foam::liquidDroplets::leastMass() const
 {
-    const scalar radius = 20*tolerance_;
     return
         liquid_.density
        *(
             size()
           ? system_.volume(0)
-           *pow(radius/system_.motion().radius(0), system_.mesh().nGeometricD())
+           *pow(leastRadius()/system_.motion().radius(0), system_.mesh().nGeometricD())
           : 0
         );
 }

@@ -297,6 +297,7 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
     else
     {
         lost = max(heat, scalar(0))/latent;
+        warnIfInDebt(-heat, latent*mass);
     }
 
     // What would be left has no heat of its own: it is too little to tell
@@ -335,17 +336,33 @@ void Foam::evaporation::addVapour
 void Foam::evaporation::warnIfShut()
 {
     const auto& p_rgh = mesh_.lookupObject<volScalarField>("p_rgh");
-    if (hasWarned_ || !p_rgh.needReference() || sum(lost_) <= 0)
+    if (saidShut_ || !p_rgh.needReference() || sum(lost_) <= 0)
     {
         return;
     }
-    hasWarned_ = true;
+    saidShut_ = true;
     WarningInFunction
         << "Droplets evaporate and no patch lets the fluid out: the volume of"
         << " their vapour is taken evenly from that of the gas, which is"
         << " incompressible;" << nl
         << "    an opening, a fixed value of p_rgh on a patch, avoids it"
         << " (said once)" << endl;
+}
+
+
+void Foam::evaporation::warnIfInDebt(const scalar debt, const scalar all)
+{
+    if (saidDebt_ || debt < 1e-3*all)
+    {
+        return;
+    }
+    saidDebt_ = true;
+    WarningInFunction
+        << "A droplet has given " << debt << " J to gas or grains that are colder"
+        << " than its boilingTemperature, which it keeps: there is no vapour until it"
+        << " has got as much;" << nl
+        << "    'saturation' lets it cool and evaporate below boiling (said once)"
+        << endl;
 }
 
 

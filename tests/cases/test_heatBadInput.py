@@ -45,6 +45,10 @@ def remove(file):
 
 CP, KAPPA = "Cp 1000.0;", "kappa 0.6;"
 HEAT, LAW = "heat { conductance none; }", "heatTransfer { type RanzMarshall; shape sphere; }"
+CONDUCTORS = [
+    swap(GRAINS, density, f"{density} conductivity 1; youngsModulus 1e9;")
+    for density in ("density 2500;", "density 7800;")
+]
 PLATES = "HeleShaw { gap 0.01; heatTransfer %s; %s }"
 
 # name, how the good case is spoilt, what the message holds
@@ -129,6 +133,13 @@ TABLE = [
      [GRAINS, "heat", "'conductance'", "none", "box"]),
     ("contactWithoutConductivity", swap(GRAINS, "conductance none", "conductance strip"),
      [GRAINS, "glass", "'conductivity'", "missing", "[1 1 -3 -1 0 0 0]"]),
+    ("contactsOfFixedGrains",
+     both(fix_grains, swap(GRAINS, "conductance none", "conductance strip"), *CONDUCTORS),
+     [GRAINS, "heat", "'conductance'", "value strip with 'motion fixed'", "none", "throughFluid",
+      "motion free"]),
+    ("contactsOfFixedGrainsByDefault",
+     both(fix_grains, drop(GRAINS, "conductance none;"), *CONDUCTORS),
+     [GRAINS, "heat", "'conductance'", "value strip, the default, with 'motion fixed'"]),
     ("unknownInside", swap(GRAINS, "conductance none;", "conductance none; inside solid;"),
      [GRAINS, "heat", "'inside'", "solid", "conducting", "isothermal"]),
     ("movingGrainsConductInside",

@@ -14,6 +14,9 @@ namespace
 
 using namespace Foam;
 
+template<int D>
+constexpr const char* defaultLaw = D == 2 ? "strip" : "spheres";
+
 //- Null for none
 template<int D>
 nscd::ConductanceLaw law(const dictionary& dict)
@@ -45,7 +48,7 @@ nscd::ConductanceLaw law(const dictionary& dict)
     [
         dictionaryInput::getWordOrDefault
         (
-            dict, "conductance", D == 2 ? "strip" : "spheres", known.sortedToc()
+            dict, "conductance", defaultLaw<D>, known.sortedToc()
         )
     ];
 }
@@ -215,6 +218,27 @@ void Foam::grainHeat<D>::check(const nscd::Grains<D>& grains) const
                 << " temperatures that its grains began with"
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+template<int D>
+void Foam::grainHeat<D>::requireNoContacts() const
+{
+    if (conduction_)
+    {
+        const dictionary& dict = properties_.subDict("heat");
+        dictionaryInput::badValue
+        (
+            dict, "conductance",
+            dict.getOrDefault<word>
+            (
+                "conductance", word(defaultLaw<D>) + ", the default,"
+            )
+          + " with 'motion fixed' in 'coupling', which leaves the forces of contacts unknown",
+            "none, beside which 'throughFluid' conducts between fixed grains that"
+            " are near; or 'motion free'"
+        );
     }
 }
 

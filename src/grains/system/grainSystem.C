@@ -48,6 +48,11 @@ Foam::grainSystem::grainSystem
             << exit(FatalIOError);
     }
 
+    if (withHeat && motion_->isFixed())
+    {
+        motion_->temperatures()->requireNoContacts();
+    }
+
     motion_->warnOfUnseenWalls();
     start();
 }

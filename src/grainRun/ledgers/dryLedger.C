@@ -106,7 +106,7 @@ void Foam::dryLedger<D>::print() const
 
     Info<< "Grains    " << grains_.size() << ", injected "
         << grains_.injected().number << ", removed "
-        << grains_.removed().number << ", in all " << grains_.allRemoved().number << nl
+        << grains_.removed().number << ", in all " << grains_.allRemoved() << nl
         << "Energy    kinetic " << kineticEnergy_ << " J, potential "
         << potentialEnergy_ << " J, contacts gave "
         << grains_.lastStep().contactWork << " J" << nl

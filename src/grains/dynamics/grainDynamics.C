@@ -93,7 +93,8 @@ Foam::grainDynamics<D>::grainDynamics
     injections_.startAfter(grains());
     if (restart)
     {
-        injections_.load(injectionsFile());
+        injections_.load(fileBeside("injections"));
+        outlets_.load(fileBeside("outlets"));
     }
     else
     {

@@ -15,7 +15,8 @@
 namespace
 {
 
-//- Are its files all states of grains, injections or others that move beside them?
+//- Are its files all states of grains, injections, outlets or others that move beside
+//  them?
 bool holdsStatesOnly(const Foam::fileName& timeDir)
 {
     const Foam::fileNameList files(readDir(timeDir, Foam::fileName::FILE));
@@ -24,7 +25,8 @@ bool holdsStatesOnly(const Foam::fileName& timeDir)
         files.begin(), files.end(),
         [](const Foam::fileName& file)
         {
-            return file == "injections" || file.ext() == "h5";
+            return
+                file == "injections" || file == "outlets" || file.ext() == "h5";
         }
     );
 }
@@ -86,7 +88,8 @@ template<int D>
 void Foam::grainDynamics<D>::beginWrite() const
 {
     save(".incomplete");
-    injections_.save(injectionsFile());
+    injections_.save(fileBeside("injections"));
+    outlets_.save(fileBeside("outlets"));
 }
 
 

@@ -121,7 +121,7 @@ void Foam::grainInjection<D>::checkKeywords
 
 
 template<int D>
-nscd::Grains<D> Foam::grainInjection<D>::next()
+nscd::Grains<D> Foam::grainInjection<D>::next() const
 {
     nscd::Grains<D> grain;
     grain.resize(1);

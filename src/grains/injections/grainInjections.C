@@ -169,6 +169,8 @@ void Foam::grainInjections<D>::save(const fileName& file) const
     }
     OFstream os(file);
     os.precision(17);
+    os  << "FoamFile { version 2.0; format ascii; class dictionary; object "
+        << file.name() << "; }" << nl;
     os.writeEntry("nextGrain", nextId_);
     forAll(injections_, i)
     {

@@ -176,13 +176,16 @@ void Foam::injectionRate::requireFew
 }
 
 
+bool Foam::injectionRate::isWithinTotal(const grainTally& grain) const
+{
+    return paid_ + amount(grain) <= total_*(1 + 1e-9);
+}
+
+
 bool Foam::injectionRate::owes(const grainTally& grain) const
 {
     // A sum of steps is right to round-off
-    const scalar a = amount(grain);
-    return
-        owed_ >= a*(1 - 1e-9)
-     && paid_ + a <= total_*(1 + 1e-9);
+    return owed_ >= amount(grain)*(1 - 1e-9) && isWithinTotal(grain);
 }
 
 

@@ -6,6 +6,8 @@
 #include "grainOutlets.H"
 
 #include "dictionaryInput.H"
+#include "IFstream.H"
+#include "OSspecific.H"
 #include "patchesOutlet.H"
 #include "wallPieces.H"
 
@@ -109,6 +111,40 @@ void Foam::grainOutlets<D>::count
         << runTime.value() << ' ' << removed.number << ' ' << removed.mass
         << ' ' << removed.mass/runTime.deltaTValue() << ' ' << total_.number
         << ' ' << total_.mass << endl;
+}
+
+
+template<int D>
+void Foam::grainOutlets<D>::save(const fileName& file) const
+{
+    if (isEmpty() || !Pstream::master())
+    {
+        return;
+    }
+    OFstream os(file);
+    os.precision(17);
+    os  << "FoamFile { version 2.0; format ascii; class dictionary; object "
+        << file.name() << "; }" << nl;
+    os.writeEntry("total", total_.number);
+    os.writeEntry("totalMass", total_.mass);
+}
+
+
+template<int D>
+void Foam::grainOutlets<D>::load(const fileName& file)
+{
+    if (isEmpty())
+    {
+        return;
+    }
+    if (!isFile(file, false))
+    {
+        Info<< "There is no " << file << ": outlets count from zero" << nl << endl;
+        return;
+    }
+    const dictionary state((IFstream(file)()));
+    total_.number = state.get<label>("total");
+    total_.mass = state.get<scalar>("totalMass");
 }
 
 

@@ -169,6 +169,23 @@ def test_dry_steps_keep_to_the_displacement_and_continue(clone):
     assert book["maxVelocity"].max() == pytest.approx(np.sqrt(2 * 9.81 * (0.08 - end)), rel=0.01)
 
 
+@pytest.mark.parametrize("solver", ["dryGrainFoam", "grainFoam"])
+def test_steps_are_a_quarter_of_the_period_of_a_wall_at_most(clone, solver):
+    """Grains at rest let them grow; the wall, below the floor, touches none."""
+    case = {"dryGrainFoam": dry_box, "grainFoam": grain_box}[solver](
+        clone, PILE[:6], RADIUS, **({"dimension": 2} if solver == "dryGrainFoam" else {})
+    )
+    motion = "type oscillation; direction (0 1 0); amplitude 1e-4; frequency 250;"
+    wall = f"type plane; point (0 -1e-3 0); normal (0 1 0); material steel; motion {{ {motion} }}"
+    replace(case, "constant/grainProperties", "\nwalls\n{", f"\nwalls\n{{ shaker {{ {wall} }}")
+    adjusting(case, end=0.02)
+    control(case, deltaT=1e-4)
+    case.run(solver)
+    assert governing(case).count("frequency") >= 0.3 * len(steps(case))
+    assert "frequency 0.001 s," in case.log
+    assert 0.95e-3 < steps(case).max() <= 1e-3 * (1 + 1e-9)
+
+
 @pytest.mark.parallel
 def test_dry_ranks_take_the_same_steps(clone):
     one, many = dry_pile(clone, "one"), dry_pile(clone, "many")

@@ -234,6 +234,7 @@ void Foam::adjustableTimeStep::set
             "maxGrainDisplacement",
             displacementLimit(given.maxGrainDisplacement)
         },
+        {"frequency", grains_.motion().maxDeltaTOfWalls()},
         {"maxDeltaT", given.maxDeltaT}
     });
     all.insert(all.end(), more.begin(), more.end());

@@ -46,6 +46,7 @@ void Foam::dryTimeStep::set()
                     [&](const label) { return acceleration_; }
                 )
             },
+            {"frequency", grains_.maxDeltaTOfWalls()},
             {"maxDeltaT", given.maxDeltaT}
         },
         given.minDeltaT

@@ -73,7 +73,7 @@ void Foam::wallMotions::oscillation<D>::set
     const nscd::Vector<D>& g
 ) const
 {
-    if (4*frequency_*deltaT > 1 + 1e-9)
+    if (deltaT > (1 + 1e-9)*maxDeltaT())
     {
         OStringStream allowed;
         allowed

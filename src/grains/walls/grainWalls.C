@@ -179,6 +179,18 @@ nscd::WallNames Foam::grainWalls<D>::names() const
 
 
 template<int D>
+Foam::scalar Foam::grainWalls<D>::maxDeltaT() const
+{
+    scalar result = GREAT;
+    for (const wallMotion<D>& motion : motions_)
+    {
+        result = min(result, motion.maxDeltaT());
+    }
+    return result;
+}
+
+
+template<int D>
 void Foam::grainWalls<D>::setMotion
 (
     nscd::ContactDynamics<D>& dynamics,

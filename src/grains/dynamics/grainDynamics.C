@@ -78,6 +78,7 @@ Foam::grainDynamics<D>::grainDynamics
     if (heat_)
     {
         heat_->check(grains());
+        dynamics_->recordTouching(true);
     }
 
     injections_.check
@@ -185,7 +186,7 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
         (
             heat_->advance
             (
-                grains(), dynamics_->contacts(), deltaT,
+                grains(), dynamics_->touching(), deltaT,
                 dynamics_->wallBodies(), dynamics_->settings().period
             )
         );

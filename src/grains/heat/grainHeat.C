@@ -144,6 +144,11 @@ std::vector<nscd::ThermalMaterial> Foam::grainHeat<D>::thermalMaterials() const
             dictionaryInput::getScalarOrDefault
             (
                 dict, "poissonRatio", dimless, 0.3, 0, 0.5
+            ),
+            dictionaryInput::getPositive(dict, "density", dimDensity)
+           *dictionaryInput::getPositiveOrDefault
+            (
+                dict, "heatCapacity", dimHeatCapacity, 0
             )
         });
     }
@@ -262,7 +267,8 @@ template<int D>
 nscd::HeatNetwork Foam::grainHeat<D>::network
 (
     const nscd::Grains<D>& grains,
-    const std::vector<nscd::ContactForce<D>>& contacts,
+    const std::vector<nscd::Touching<D>>& touching,
+    const scalar deltaT,
     const std::vector<nscd::WallBody<D>>& bodies,
     const std::array<double, 3>& period
 ) const
@@ -274,7 +280,7 @@ nscd::HeatNetwork Foam::grainHeat<D>::network
         (
             conduction_->network
             (
-                grains, capacities(grains), contacts, thermalWalls_
+                grains, capacities(grains), touching, thermalWalls_, deltaT
             )
         );
         for (const nscd::HeatNetwork::Link& link : joined.links())
@@ -299,7 +305,7 @@ template<int D>
 std::vector<double> Foam::grainHeat<D>::advance
 (
     const nscd::Grains<D>& grains,
-    const std::vector<nscd::ContactForce<D>>& contacts,
+    const std::vector<nscd::Touching<D>>& touching,
     const scalar deltaT,
     const std::vector<nscd::WallBody<D>>& bodies,
     const std::array<double, 3>& period
@@ -309,7 +315,7 @@ std::vector<double> Foam::grainHeat<D>::advance
     if (conductThroughContacts())
     {
         std::vector<double> given(wallHeat_.size(), 0.0);
-        network(grains, contacts, bodies, period)
+        network(grains, touching, deltaT, bodies, period)
        .advance(temperature, given, deltaT);
         wallHeat_ = scalarList(given.begin(), given.end());
     }

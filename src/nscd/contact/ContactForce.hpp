@@ -21,4 +21,15 @@ struct ContactForce
                          ///< and the attraction of a cohesive contact add up to
 };
 
+/// A pair that touched in a sub-step: what passes between the two meanwhile asks for it.
+template <int D>
+struct Touching
+{
+    int first, second;   ///< grains; second < 0: wall ~second
+    Vector<D> point;     ///< in the middle of gap or overlap [m]
+    double pressed;      ///< sum of the normal impulses with which the surfaces pressed on each other >= 0 [N s]
+    double time;         ///< in which they did [s]; 0: in impacts, each of its own short time
+    int impacts;
+};
+
 }  // namespace nscd

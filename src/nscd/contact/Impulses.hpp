@@ -28,6 +28,7 @@ struct PairImpulse
     double gap;          ///< at the beginning of the sub-step [m]
     Vector<D> impulse;   ///< [N s]
     double pressing;     ///< sum of the normal impulses [N s]
+    int impacts;
 };
 
 /// An impulse that outlives the candidate list: named by user's numbers of members, a < b, or by a member and wall ~b,

@@ -72,6 +72,18 @@ std::vector<ContactForce<D>> ContactDynamics<D>::contacts() const
 }
 
 template <int D>
+void ContactDynamics<D>::recordTouching(bool on)
+{
+    implementation_->recordTouching(on);
+}
+
+template <int D>
+std::vector<Touching<D>> ContactDynamics<D>::touching() const
+{
+    return implementation_->touching();
+}
+
+template <int D>
 void ContactDynamics<D>::dumpContactProblem(const std::string& file) const
 {
     implementation_->dumpContactProblem(file);

@@ -111,6 +111,13 @@ public:
     /// those between what has stayed, after load() none.  Collective.
     std::vector<ContactForce<D>> contacts() const;
 
+    /// Keep what touching() gives from the next step on.
+    void recordTouching(bool on);
+
+    /// Pairs of all ranks that touched in the last step, once for each sub-step in which they did, and once for their
+    /// impacts in it; none unless recorded.  Order and removals as contacts().  Collective.
+    std::vector<Touching<D>> touching() const;
+
     /// Write the contact problem of the last sub-step and the impulses that were found for it in FCLIB's local form
     /// (see Fclib.hpp), for comparison with other solvers.  Rolling moments and attractions are part of its q.
     /// Written by rank 0; collective.  Throws std::runtime_error.

@@ -32,6 +32,8 @@ public:
     void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
     std::vector<ContactForce<D>> contacts() const;
+    void recordTouching(bool on);
+    std::vector<Touching<D>> touching() const;
     void dumpContactProblem(const std::string& file) const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
@@ -73,6 +75,9 @@ private:
 
     /// Contacts of this rank in the last step.
     std::vector<ContactForce<D>> ownContacts() const;
+
+    /// Pairs of this rank that touched in the sub-step of length dt that has just ended.
+    std::vector<Touching<D>> ownTouching(double dt) const;
 
     void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
@@ -214,6 +219,8 @@ private:
     std::vector<Flyer<D>> flyers_;
     std::vector<Launch<D>> launches_;
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
+    bool recordsTouching_ = false;
+    std::vector<std::vector<Touching<D>>> touching_;   ///< of this rank in each sub-step of the last step
     std::vector<Body<D>> bodies_;
     std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps
     std::size_t solves_ = 0;             ///< of this rank in this sub-step

@@ -69,6 +69,11 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
         }
     }
     contactsOfOthers_ = std::move(contacts);
+    for (std::vector<Touching<D>>& ofSubStep : touching_)
+    {
+        const auto isGone = [&](Touching<D>& t) { return !renumber(t.first, t.second, grain); };
+        ofSubStep.erase(std::remove_if(ofSubStep.begin(), ofSubStep.end(), isGone), ofSubStep.end());
+    }
 
     std::vector<bool> goneMember;
     for (std::size_t m = 0; m < members_.size(); ++m)

@@ -172,6 +172,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     problem_.clear();
     impacts_.clear();
     contactsOfOthers_.clear();
+    touching_.clear();
     rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateReach, state.impulses);
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
     StepReport report;

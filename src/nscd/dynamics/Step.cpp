@@ -55,6 +55,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     report.subSteps = countSubSteps(dt);
     std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
     std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
+    touching_.clear();
     const double subStep = dt / report.subSteps;
     for (int s = 0; s < report.subSteps; ++s)
     {
@@ -64,6 +65,10 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
             requireReach(subStep * std::max(free_.largestSpeed, largestWallSpeed(subStep)), subStep);
         }
         advance(subStep, report);
+        if (recordsTouching_)
+        {
+            touching_.push_back(ownTouching(subStep));
+        }
     }
     lastTimeStep_ = dt;
 

@@ -77,15 +77,44 @@ Conduction<D>::Conduction(std::vector<ThermalMaterial> materials, double length,
 }
 
 template <int D>
+ThermalContact Conduction<D>::thermalContact(int first, int second, const Vector<D>& point, const Grains<D>& grains,
+                                             const std::vector<ThermalWall>& walls) const
+{
+    const bool isWall = second < 0;
+    const int other = isWall ? walls[~second].material : grains.material[second];
+    return {materials_[grains.material[first]], materials_[other], radiusAt<D>(grains, first, point),
+            isWall ? std::numeric_limits<double>::infinity() : radiusAt<D>(grains, second, point), 0, length_};
+}
+
+template <int D>
 double Conduction<D>::conductance(const ContactForce<D>& contact, const Grains<D>& grains,
                                   const std::vector<ThermalWall>& walls) const
 {
-    const bool isWall = contact.second < 0;
-    const int other = isWall ? walls[~contact.second].material : grains.material[contact.second];
-    return law_({materials_[grains.material[contact.first]], materials_[other],
-                 radiusAt<D>(grains, contact.first, contact.point),
-                 isWall ? std::numeric_limits<double>::infinity() : radiusAt<D>(grains, contact.second, contact.point),
-                 contact.pressing, length_});
+    ThermalContact c = thermalContact(contact.first, contact.second, contact.point, grains, walls);
+    c.force = contact.pressing;
+    return law_(c);
+}
+
+template <int D>
+double Conduction<D>::conductance(const Touching<D>& touching, const Grains<D>& grains,
+                                  const std::vector<ThermalWall>& walls, double dt) const
+{
+    if (!(touching.pressed > 0))
+    {
+        return 0;
+    }
+    ThermalContact c = thermalContact(touching.first, touching.second, touching.point, grains, walls);
+    if (touching.impacts == 0)
+    {
+        c.force = touching.pressed / touching.time;
+        return law_(c) * touching.time / dt;
+    }
+    const double other = touching.second < 0 ? std::numeric_limits<double>::infinity() : grains.mass[touching.second];
+    const double mass = 1 / (1 / grains.mass[touching.first] + 1 / other);
+    const double impulse = touching.pressed / touching.impacts;
+    const ThermalImpact impact =
+        D == 2 ? impactOfCylinders(c, mass, impulse, law_) : impactOfSpheres(c, mass, impulse, law_);
+    return touching.impacts * impact.conducted / dt;
 }
 
 template <int D>
@@ -118,6 +147,23 @@ HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<do
                                    const std::vector<ContactForce<D>>& contacts,
                                    const std::vector<ThermalWall>& walls) const
 {
+    return join(grains, heatCapacity, contacts, walls,
+                [&](const ContactForce<D>& contact) { return conductance(contact, grains, walls); });
+}
+
+template <int D>
+HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                                   const std::vector<Touching<D>>& touching, const std::vector<ThermalWall>& walls,
+                                   double dt) const
+{
+    return join(grains, heatCapacity, touching, walls,
+                [&](const Touching<D>& pair) { return conductance(pair, grains, walls, dt); });
+}
+
+template <int D>
+void Conduction<D>::check(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                          const std::vector<ThermalWall>& walls) const
+{
     if (heatCapacity.size() != grains.size())
     {
         refuse("conduction: ", grains.size(), " grains but ", heatCapacity.size(), " heat capacities");
@@ -142,29 +188,37 @@ HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<do
             refuse("conduction: wall ", w, ": temperature ", *walls[w].temperature, " K is not positive");
         }
     }
+}
 
+template <int D>
+template <class Pair, class ConductanceOf>
+HeatNetwork Conduction<D>::join(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                                const std::vector<Pair>& pairs, const std::vector<ThermalWall>& walls,
+                                ConductanceOf&& conductanceOf) const
+{
+    check(grains, heatCapacity, walls);
     HeatNetwork network(heatCapacity);
-    for (std::size_t c = 0; c < contacts.size(); ++c)
+    for (std::size_t c = 0; c < pairs.size(); ++c)
     {
-        const ContactForce<D>& contact = contacts[c];
-        checkIndex(contact.first, grains.size(), "contact", c, "grain");
-        const int wall = ~contact.second;
+        const Pair& pair = pairs[c];
+        checkIndex(pair.first, grains.size(), "contact", c, "grain");
+        const int wall = ~pair.second;
         if (wall < 0)
         {
-            checkIndex(contact.second, grains.size(), "contact", c, "grain");
+            checkIndex(pair.second, grains.size(), "contact", c, "grain");
         }
         else
         {
             checkIndex(wall, walls.size(), "contact", c, "wall");
         }
-        const double h = conductance(contact, grains, walls);
+        const double h = conductanceOf(pair);
         if (h > 0 && wall < 0)
         {
-            network.join(contact.first, contact.second, h);
+            network.join(pair.first, pair.second, h);
         }
         else if (h > 0 && walls[wall].temperature)
         {
-            network.joinReservoir(contact.first, wall, h, *walls[wall].temperature);
+            network.joinReservoir(pair.first, wall, h, *walls[wall].temperature);
         }
     }
     return network;

@@ -75,7 +75,27 @@ public:
     HeatNetwork network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
                         const std::vector<ContactForce<D>>& contacts, const std::vector<ThermalWall>& walls) const;
 
+    /// The same of all that touched in a step of length dt [s], each with its share of it; impacts by their own time.
+    HeatNetwork network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+                        const std::vector<Touching<D>>& touching, const std::vector<ThermalWall>& walls,
+                        double dt) const;
+
 private:
+    ThermalContact thermalContact(int first, int second, const Vector<D>& point, const Grains<D>& grains,
+                                  const std::vector<ThermalWall>& walls) const;
+
+    /// In a step of length dt [W/K].
+    double conductance(const Touching<D>& touching, const Grains<D>& grains, const std::vector<ThermalWall>& walls,
+                       double dt) const;
+
+    void check(const Grains<D>& grains, const std::vector<double>& heatCapacity,
+               const std::vector<ThermalWall>& walls) const;
+
+    /// conductanceOf(pair) [W/K]
+    template <class Pair, class ConductanceOf>
+    HeatNetwork join(const Grains<D>& grains, const std::vector<double>& heatCapacity, const std::vector<Pair>& pairs,
+                     const std::vector<ThermalWall>& walls, ConductanceOf&& conductanceOf) const;
+
     std::vector<ThermalMaterial> materials_;
     double length_;
     ConductanceLaw law_;

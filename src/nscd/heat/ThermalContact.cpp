@@ -52,6 +52,43 @@ double hertzHalfWidth(const ThermalContact& contact)
     return std::sqrt(4 * loadPerLength * effectiveRadius(contact) / (pi * effectiveModulus(contact)));
 }
 
+namespace
+{
+
+/// sqrt(k rho c) of both, one after the other [J/m^2/K/s^(1/2)].
+double effusivity(const ThermalContact& contact)
+{
+    const auto resistance = [](const ThermalMaterial& m)
+    { return m.capacity > 0 ? 1 / std::sqrt(m.conductivity * m.capacity) : 0; };
+    const double both = resistance(contact.first) + resistance(contact.second);
+    return both > 0 ? 1 / both : 0;
+}
+
+ThermalImpact impact(ThermalContact& contact, double impulse, double time, double area, double factor,
+                     const ConductanceLaw& law)
+{
+    contact.force = impulse / time;
+    return {time, law(contact) * time + factor * effusivity(contact) * area * std::sqrt(time)};
+}
+
+}  // namespace
+
+ThermalImpact impactOfSpheres(ThermalContact contact, double mass, double impulse, const ConductanceLaw& law)
+{
+    const double E = effectiveModulus(contact), R = effectiveRadius(contact), v = impulse / (2 * mass);
+    const double time = 2.87 * std::pow(mass * mass / (R * E * E * v), 0.2);
+    const double depth = v * time / 2.943;
+    return impact(contact, impulse, time, pi * R * depth, 0.871, law);
+}
+
+ThermalImpact impactOfCylinders(ThermalContact contact, double mass, double impulse, const ConductanceLaw& law)
+{
+    const double time = pi * std::sqrt(4 * mass / (pi * effectiveModulus(contact) * contact.length));
+    contact.force = pi * impulse / (2 * time);
+    const double area = 2 * hertzHalfWidth(contact) * contact.length;
+    return impact(contact, impulse, time, area, 0.970, law);
+}
+
 double conductance::spheres(const ThermalContact& contact)
 {
     return 2 * meanConductivity(contact) * hertzRadius(contact);

@@ -14,6 +14,7 @@ struct ThermalMaterial
     double conductivity;   ///< [W/m/K]
     double youngsModulus;  ///< [Pa]
     double poissonRatio;
+    double capacity = 0;   ///< rho c [J/m^3/K]; 0: not known, and taken for so large that the surface stays as it is
 };
 
 /// Two bodies pressed together: spheres, or cylinders with parallel axes.
@@ -46,6 +47,20 @@ double hertzRadius(const ThermalContact& contact);
 /// Half width b of the strip in which two cylinders touch: b^2 = 4 F R*/(pi L E*) [m] (Johnson, eq. 4.43;
 /// doc/theory, eq. 6.3).
 double hertzHalfWidth(const ThermalContact& contact);
+
+/// Two bodies that hit each other, of effective mass m: 1/m = 1/m_i + 1/m_j [kg], with an impulse [N s].
+struct ThermalImpact
+{
+    double time;          ///< of contact [s]
+    double conducted;     ///< heat that passes per difference of the temperatures [J/K]
+};
+
+/// Two spheres.  Time 2.87 (m^2/(R* E*^2 v))^(1/5), v = J/(2 m) (Johnson, eq. 11.24); heat as by the law with the mean
+/// force, and into what is cold yet (Sun and Chen, Int. J. Heat Mass Transf. 31, 969, 1988; doc/theory, eq. 6.15).
+ThermalImpact impactOfSpheres(ThermalContact contact, double mass, double impulse, const ConductanceLaw& law);
+
+/// Two cylinders, a linear spring of pi/4 E* L (doc/theory, eq. 6.15).
+ThermalImpact impactOfCylinders(ThermalContact contact, double mass, double impulse, const ConductanceLaw& law);
 
 /// Conductance laws (doc/theory, eq. 6.4 to 6.7).
 namespace conductance

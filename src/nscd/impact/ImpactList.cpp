@@ -162,7 +162,8 @@ void Impacts<D>::collectImpulses()
     {
         if (details.impacts > 0)
         {
-            given_.push_back({details.pair, details.normal, details.gap, details.given, details.pressed});
+            given_.push_back(
+                {details.pair, details.normal, details.gap, details.given, details.pressed, details.impacts});
         }
     }
 }

@@ -72,6 +72,12 @@ struct plate
         return {0, ~wallAt(y), {0.5, y}, {0, -1}, {0, -9}, 0, 9};
     }
 
+    // The same contact for all of a step
+    nscd::Touching<2> touching(const double y, const double dt) const
+    {
+        return {0, ~wallAt(y), {0.5, y}, 9*dt, dt, 0};
+    }
+
     double conductance() const
     {
         const nscd::ThermalMaterial m{50, 2e11, 0.3};
@@ -101,7 +107,10 @@ TEST(GrainHeat, FlowsFromTheWallThatHasATemperature)
 
     // Implicit Euler: C (T - 300)/dt = H (400 - T)
     const double dt = 20, c = 3*500;
-    const double temperature = p.heat->advance(p.grains, {p.contact(0), p.contact(1)}, dt)[0];
+    const double temperature = p.heat->advance
+    (
+        p.grains, {p.touching(0, dt), p.touching(1, dt)}, dt
+    )[0];
     EXPECT_NEAR(temperature - 300, 100*h*dt/(c + h*dt), 1e-10);
     EXPECT_NEAR(p.heat->wallHeat()[0]/(c*(temperature - 300)), 1, 1e-12);
 }

@@ -371,3 +371,98 @@ TEST(Conduction, RefusesSenselessInput)
     EXPECT_EQ(network([](Network& n, double&) { n.join(0, 2, 1); }), "conduction: contact 1: grain 2 is not one of 2");
     EXPECT_EQ(network([](Network& n, double&) { n.join(0, ~1, 1); }), "conduction: contact 1: wall 1 is not one of 1");
 }
+
+namespace
+{
+
+const nscd::ThermalMaterial glass{1, 7e10, 0.22, 2500 * 800.0};
+
+/// Heat per degree [J/K] that passes between a ball of unit radius and a floor it meets at 1 m/s, in 2 s.
+template <int D>
+double passedInBounce(double restitution, double dt, double maxDisplacement = 0.5)
+{
+    Scene<D> scene(0);
+    scene.add(up<D>(1.7003), up<D>(-1), 1, 100);
+    scene.addFloor();
+    scene.table.set(0, 1, {0, restitution});
+    scene.settings.maxDisplacement = maxDisplacement;
+    auto dynamics = scene.dynamics();
+    dynamics.recordTouching(true);
+    const nscd::Conduction<D> conduction({glass, glass}, 1);
+    double passed = 0;
+    for (int i = 0; i < std::lround(2 / dt); ++i)
+    {
+        fall<D>(dynamics, nscd::Vector<D>::Zero(), dt);
+        nscd::Grains<D> grains = dynamics.grains();
+        grains.temperature.assign(1, 300);
+        const auto network = conduction.network(grains, {1.0}, dynamics.touching(), {{1, 400}}, dt);
+        for (const nscd::HeatNetwork::Outlet& outlet : network.outlets())
+        {
+            passed += outlet.conductance * dt;
+        }
+    }
+    return passed;
+}
+
+}  // namespace
+
+TEST(Impact, ConductsByItsOwnTimeWhateverTheStep)
+{
+    const double wall = std::numeric_limits<double>::infinity();
+    for (const double e : {0.3, 0.97})
+    {
+        const ThermalContact contact{glass, glass, 1, wall, 0, 1};
+        const double spheres =
+            nscd::impactOfSpheres(contact, 100, (1 + e) * 100, nscd::conductance::spheres).conducted;
+        const double discs = nscd::impactOfCylinders(contact, 100, (1 + e) * 100, nscd::conductance::strip).conducted;
+        for (const double dt : {0.2, 0.02, 0.003})
+        {
+            EXPECT_NEAR(passedInBounce<3>(e, dt) / spheres, 1, 1e-9) << e << ' ' << dt;
+            EXPECT_NEAR(passedInBounce<2>(e, dt) / discs, 1, 1e-9) << e << ' ' << dt;
+        }
+        EXPECT_NEAR(passedInBounce<3>(e, 0.2, 0.02) / spheres, 1, 1e-9) << "sub-steps " << e;
+    }
+}
+
+TEST(Impact, OfSpheresLastsAsHertzSaysAndWarmsWhatIsColdYet)
+{
+    // Glass on glass of 8 mm at 1 m/s: 2.87 (m^2/(R E^2 v))^(1/5), and 0.87 A t^(1/2) of both effusivities in series
+    const double R = 2e-3, m = 2500 * M_PI / 6 * 5.12e-7 / 2, E = 7e10 / (2 * (1 - 0.22 * 0.22));
+    const double time = 2.87 * std::pow(m * m / (R * E * E), 0.2);
+    const ThermalContact contact{glass, glass, 4e-3, 4e-3, 0, 1};
+    const nscd::ThermalImpact impact = nscd::impactOfSpheres(contact, m, 2 * m, nscd::conductance::spheres);
+    EXPECT_NEAR(impact.time / time, 1, 1e-12);
+    EXPECT_NEAR(impact.time, 2e-5, 1e-5);
+    const double area = M_PI * R * time / 2.943;
+    const double transient = 0.871 * area * std::sqrt(time) * std::sqrt(2e6) / 2;
+    const double steady = impact.conducted - transient;
+    EXPECT_GT(steady, 0);
+    EXPECT_LT(steady, 0.1 * transient);   // Fourier number (k/(rho c)) t/a^2 of 1e-3
+}
+
+TEST(Contact, ThatLastsConductsTheSameInSubSteps)
+{
+    for (const double fine : {0.5, 1e-4})
+    {
+        Scene<3> scene(0);
+        scene.add(up<3>(1), Vector<3>::Zero(), 1, 100);
+        scene.add({10, 0, 1}, {1, 0, 0}, 1, 100);   // makes the sub-steps
+        scene.addFloor();
+        scene.settings.maxDisplacement = fine;
+        auto dynamics = scene.dynamics();
+        dynamics.recordTouching(true);
+        const double dt = 1e-3;
+        EXPECT_EQ(fall<3>(dynamics, up<3>(-g), dt).subSteps > 1, fine < 0.5);
+        nscd::Grains<3> grains = dynamics.grains();
+        grains.temperature.assign(2, 300);
+        const Conduction<3> conduction({glass, glass}, 1);
+        const auto network = conduction.network(grains, {1.0, 1.0}, dynamics.touching(), {{1, 400}}, dt);
+        double first = 0;
+        for (const nscd::HeatNetwork::Outlet& outlet : network.outlets())
+        {
+            first += outlet.i == 0 ? outlet.conductance : 0;
+        }
+        const double wall = std::numeric_limits<double>::infinity();
+        EXPECT_NEAR(first / nscd::conductance::spheres({glass, glass, 1, wall, 100 * g, 1}), 1, 1e-9);
+    }
+}

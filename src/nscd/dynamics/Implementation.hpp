@@ -76,8 +76,8 @@ private:
     /// Contacts of this rank in the last step.
     std::vector<ContactForce<D>> ownContacts() const;
 
-    /// Pairs of this rank that touched in the sub-step of length dt that has just ended.
-    std::vector<Touching<D>> ownTouching(double dt) const;
+    /// Of the sub-step of length dt that has just ended, if they are recorded.
+    void keepTouching(double dt);
 
     void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
@@ -220,7 +220,7 @@ private:
     std::vector<Launch<D>> launches_;
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
     bool recordsTouching_ = false;
-    std::vector<std::vector<Touching<D>>> touching_;   ///< of this rank in each sub-step of the last step
+    std::vector<std::vector<Touching<D>>> touching_;   ///< of this rank in each sub-step: contacts, then impacts
     std::vector<Body<D>> bodies_;
     std::vector<Body<D>> displacements_;   ///< over dt, in their velocity; empty where there are no overlaps
     std::size_t solves_ = 0;             ///< of this rank in this sub-step

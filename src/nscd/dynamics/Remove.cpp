@@ -69,10 +69,10 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
         }
     }
     contactsOfOthers_ = std::move(contacts);
-    for (std::vector<Touching<D>>& ofSubStep : touching_)
+    for (std::vector<Touching<D>>& mine : touching_)
     {
         const auto isGone = [&](Touching<D>& t) { return !renumber(t.first, t.second, grain); };
-        ofSubStep.erase(std::remove_if(ofSubStep.begin(), ofSubStep.end(), isGone), ofSubStep.end());
+        mine.erase(std::remove_if(mine.begin(), mine.end(), isGone), mine.end());
     }
 
     std::vector<bool> goneMember;

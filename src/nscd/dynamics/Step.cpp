@@ -65,10 +65,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
             requireReach(subStep * std::max(free_.largestSpeed, largestWallSpeed(subStep)), subStep);
         }
         advance(subStep, report);
-        if (recordsTouching_)
-        {
-            touching_.push_back(ownTouching(subStep));
-        }
+        keepTouching(subStep);
     }
     lastTimeStep_ = dt;
 

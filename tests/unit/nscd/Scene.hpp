@@ -161,6 +161,19 @@ bool sameContacts(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics
                       { return c.first == d.first && c.second == d.second && c.force == d.force; });
 }
 
+/// The same that touched, in the same order; collective.
+template <int D>
+bool sameTouching(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics<D>& b)
+{
+    const auto x = a.touching(), y = b.touching();
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](const auto& c, const auto& d)
+                      {
+                          return c.first == d.first && c.second == d.second && c.pressed == d.pressed &&
+                                 c.impacts == d.impacts;
+                      });
+}
+
 /// All but the times that the step took.
 inline bool sameReport(const nscd::StepReport& a, const nscd::StepReport& b)
 {

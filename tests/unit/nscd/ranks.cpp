@@ -37,12 +37,14 @@ void compareRuns(int perSide, int blocks, double restitution = 0, double massRat
     }
     auto alone = scene.dynamics(MPI_COMM_SELF);
     auto together = scene.dynamics(MPI_COMM_WORLD);
+    alone.recordTouching(true);
+    together.recordTouching(true);
     bool same = true;
     for (int i = 0; i < 250; ++i)
     {
         const nscd::StepReport a = fall<D>(alone, up<D>(-g), 5e-3);
         const nscd::StepReport b = fall<D>(together, up<D>(-g), 5e-3);
-        same = same && sameReport(a, b) && sameBits(alone, together);
+        same = sameReport(a, b) && sameBits(alone, together) && sameTouching(alone, together) && same;
     }
     expect(same, "250 steps are the same on all ranks as on one");
 

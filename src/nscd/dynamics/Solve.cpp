@@ -179,12 +179,10 @@ bool ContactDynamics<D>::Implementation::separate(double dt, bool converged, Ste
     {
         return true;
     }
-    const int few = std::max(1, settings_.maxSweeps / 4);
     const bool isDeep = communicator_.max(depths.deep) > 0;
     const bool isUrgent = isUneven() || !data_.ahead.empty();
-    const int maxSweeps = isUrgent ? settings_.maxSweeps : few;
-    double residual = isDeep && !isUrgent ? moveApart(true, settings_.maxSweeps, tolerance, hopeless * worst)
-                                          : moveApart(true, maxSweeps, tolerance);
+    const int maxSweeps = isDeep || isUrgent ? settings_.maxSweeps : std::max(1, settings_.maxSweeps / 4);
+    double residual = moveApart(true, maxSweeps, tolerance, isDeep && !isUrgent ? hopeless * worst : anyDepth);
     if (residual > (isDeep ? notFound : 1) * worst)
     {
         // Acceleration goes off where there are more grains than room

@@ -195,7 +195,7 @@ Foam::scalar Foam::evaporation::smallConductance
     (
         saturated_
       ? (atSurface - steam_.psi().field()[o.cell])/(1 - atSurface)
-      : gas_.capacity()/gas_.rho()[o.cell]*(T - l.boilingTemperature)
+      : gas_.capacity()/l.vapourDensity*(T - l.boilingTemperature)
        /l.latentHeat,
         scalar(1e-6)
     );

@@ -78,7 +78,7 @@ Foam::grainDynamics<D>::grainDynamics
     if (heat_)
     {
         heat_->check(grains());
-        dynamics_->recordTouching(true);
+        dynamics_->recordTouching(heat_->hasConductance());
     }
 
     injections_.check

@@ -230,7 +230,7 @@ void Foam::grainHeat<D>::check(const nscd::Grains<D>& grains) const
 template<int D>
 void Foam::grainHeat<D>::requireNoContacts() const
 {
-    if (conduction_)
+    if (hasConductance())
     {
         const dictionary& dict = properties_.subDict("heat");
         dictionaryInput::badValue

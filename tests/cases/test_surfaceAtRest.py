@@ -139,3 +139,13 @@ def test_floating_disc(clone, mesh, steps):
     replace(case, GRAINS, "density 2500", f"density {(WATER + AIR) / 2}")
     assert_rest(case, steps)
     assert case.grains()["position"][0, 1] == pytest.approx(y, abs=1e-9 * DEPTH)
+
+
+def test_heavy_disc_that_lies_on_the_floor_in_the_surface(clone):
+    """Free to move: the fluid took it for falling in the first step, and the air above the surface,
+    in cells with a little water from then on, never came to rest (0.02 of sqrt(g h))."""
+    case = pool(clone, "turned", [(0.05, 0.03)], 0.03, fixed=False, height=0.0325)
+    replace(case, GRAINS, "density 2500", "density 20000")
+    replace(case, "constant/g", "(-2.7468 -9.4176 0)", "(0 -9.81 0)")
+    set_water(case, lambda low, high: shares(case, 0.0325))
+    assert_rest(case, 250)

@@ -193,14 +193,26 @@ void Foam::grainFluidExchange::tellTreatment()
 }
 
 
-void Foam::grainFluidExchange::predict(const volVectorField& cellU)
+void Foam::grainFluidExchange::predictOnce(const volVectorField& cellU)
 {
-    const stopwatch::lap lap(time_);
     const tmp<volVectorField> U(seenByGrains(cellU));
 
     fields_.clear();
     findShares();
     unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
+}
+
+
+void Foam::grainFluidExchange::predict(const volVectorField& U)
+{
+    const stopwatch::lap lap(time_);
+
+    predictOnce(U);
+    if (grains_.motion().lastTimeStep() <= 0 && !grains_.motion().isFixed())
+    {
+        foreseeContacts(U);
+        predictOnce(U);
+    }
     tellTreatment();
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());

@@ -40,6 +40,37 @@ Foam::vector Foam::grainFluidExchange::momentumOfCells
 }
 
 
+void Foam::grainFluidExchange::foreseeContacts(const volVectorField& cellU)
+{
+    vectorField force(grains_.size(), Zero);
+    scalarField massOfDrag(grains_.size(), Zero);
+    unresolved_.addForceAtStart
+    (
+        seenByGrains(cellU)(), *resolved_, force, massOfDrag
+    );
+    sumOverRanks(force);
+    sumOverRanks(massOfDrag);
+
+    // At openings the part outside is held as that in the mesh is
+    const scalarField displaced(weight_.displaced());
+    forAll(force, graini)
+    {
+        const scalar volume = grains_.volume(graini);
+        if (resolved_->isResolved(graini))
+        {
+            force[graini] += weight_.force(volume, displaced[graini]);
+        }
+        else if (grains_.isAtOpening(graini))
+        {
+            const scalar whole = volume/grains_.mappedVolume()[graini];
+            force[graini] *= whole;
+            massOfDrag[graini] *= whole;
+        }
+    }
+    grains_.foresee(force, massOfDrag, mesh_.time().deltaTValue());
+}
+
+
 void Foam::grainFluidExchange::moveGrains
 (
     const volVectorField& cellU,

@@ -53,6 +53,42 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
 }
 
 
+void Foam::unresolvedTerm::addForceAtStart
+(
+    const volVectorField& U,
+    const resolvedTerm& resolved,
+    vectorField& force,
+    scalarField& massOfDrag
+) const
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const tmp<scalarField> rho(weight_.seen());
+
+    // Drag that holds a grain in a step so that it keeps a hundredth of any other
+    // velocity; a mass of more would make much of the contact solver's error
+    constexpr scalar stiff = 100;
+
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (resolved.isResolved(graini))
+        {
+            continue;
+        }
+        const vector v(grains_.motion().velocity(graini));
+        const scalar mostGamma = stiff*grains_.motion().density(graini)/deltaT;
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const scalar gamma = min(transfer_[o.index].gamma, mostGamma);
+            force[graini] +=
+                weight_.force(o.volume, rho()[o.cell])
+              + o.volume*(gamma*(U[o.cell] - v) + knownForce_[o.index]);
+            massOfDrag[graini] += o.volume*gamma*deltaT;
+        }
+    }
+}
+
+
 void Foam::unresolvedTerm::addForce
 (
     const volVectorField& U,

@@ -106,11 +106,13 @@ Foam::grainDynamics<D>::grainDynamics
 
 
 template<int D>
-void Foam::grainDynamics<D>::advance
+template<class Action>
+void Foam::grainDynamics<D>::underForces
 (
     const vectorField& given,
     const vectorField& givenTorque,
-    const scalar deltaT
+    const scalar deltaT,
+    const Action& action
 )
 {
     nscd::Vectors<D> force(grains().size());
@@ -133,8 +135,7 @@ void Foam::grainDynamics<D>::advance
             *dynamics_, startOfStep(mesh().time()), deltaT,
             space().fromSpace(properties_.g())
         );
-        sizeOfStep_ = size();
-        lastStep_ = dynamics_->step(force, torque, deltaT);
+        action(force, torque);
     }
     catch (const std::exception& err)
     {
@@ -144,7 +145,51 @@ void Foam::grainDynamics<D>::advance
             << mesh().time().timeName() << ": " << err.what()
             << exit(FatalError);
     }
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::advance
+(
+    const vectorField& given,
+    const vectorField& givenTorque,
+    const scalar deltaT
+)
+{
+    underForces
+    (
+        given, givenTorque, deltaT,
+        [&](const nscd::Vectors<D>& force, const nscd::Spins<D>& torque)
+        {
+            sizeOfStep_ = size();
+            lastStep_ = dynamics_->step(force, torque, deltaT);
+        }
+    );
     isLocated_ = false;
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::foresee
+(
+    const vectorField& fluidForce,
+    const scalarField& massOfDrag,
+    const scalar deltaT
+)
+{
+    std::vector<double> mass(grains().mass);
+    forAll(massOfDrag, i)
+    {
+        mass[i] += massOfDrag[i];
+    }
+    underForces
+    (
+        fluidForce, vectorField(), deltaT,
+        [&](const nscd::Vectors<D>& force, const nscd::Spins<D>& torque)
+        {
+            dynamics_->foresee(mass, force, torque, deltaT);
+        }
+    );
 }
 
 

@@ -256,6 +256,18 @@ bool Foam::grainSystem::isWithinBounds(const label graini) const
 }
 
 
+void Foam::grainSystem::foresee
+(
+    const vectorField& fluidForce,
+    const scalarField& massOfDrag,
+    const scalar deltaT
+)
+{
+    const stopwatch::lap lap(motionTime_);
+    motion_->foresee(fluidForce, massOfDrag, deltaT);
+}
+
+
 void Foam::grainSystem::move
 (
     const vectorField& fluidForce,

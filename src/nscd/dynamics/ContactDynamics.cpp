@@ -48,6 +48,13 @@ StepReport ContactDynamics<D>::step(const Vectors<D>& force, const Spins<D>& tor
 }
 
 template <int D>
+void ContactDynamics<D>::foresee(const std::vector<double>& mass, const Vectors<D>& force, const Spins<D>& torque,
+                                 double dt)
+{
+    implementation_->foresee(mass, force, torque, dt);
+}
+
+template <int D>
 const std::vector<WallBody<D>>& ContactDynamics<D>::wallBodies() const
 {
     return implementation_->wallBodies();

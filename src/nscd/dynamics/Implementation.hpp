@@ -36,6 +36,7 @@ public:
     std::vector<Touching<D>> touching() const;
     void dumpContactProblem(const std::string& file) const;
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    void foresee(const std::vector<double>& mass, const Vectors<D>& force, const Spins<D>& torque, double dt);
     void setTemperature(std::vector<double> temperature);
     void setWallNames(WallNames names);
 

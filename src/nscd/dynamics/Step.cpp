@@ -80,6 +80,25 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
 }
 
 template <int D>
+void ContactDynamics<D>::Implementation::foresee(const std::vector<double>& mass, const Vectors<D>& force,
+                                                 const Spins<D>& torque, double dt)
+{
+    Grains<D> grains = grains_;
+    grains.mass = mass;
+    Implementation trial(std::move(grains), walls_, table_, settings_, communicator_.handle(), initialWallBodies_);
+    trial.wallBodies_ = wallBodies_;
+    trial.arrangement_.walls().place(initialWallBodies_, wallBodies_);
+    if (!ambient_.empty())
+    {
+        trial.setAmbient(ambient_);
+    }
+    trial.step(force, torque, dt);
+    contactImpulse_ = trial.contactImpulse_;
+    contactSpinImpulse_ = trial.contactSpinImpulse_;
+    lastTimeStep_ = trial.lastTimeStep_;
+}
+
+template <int D>
 int ContactDynamics<D>::Implementation::countSubSteps(double dt) const
 {
     const double farthest = dt * std::max(free_.largestSpeed, largestWallSpeed(dt));
@@ -155,6 +174,10 @@ void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 
 template StepReport ContactDynamics<2>::Implementation::step(const Vectors<2>&, const Spins<2>&, double);
 template StepReport ContactDynamics<3>::Implementation::step(const Vectors<3>&, const Spins<3>&, double);
+template void ContactDynamics<2>::Implementation::foresee(const std::vector<double>&, const Vectors<2>&,
+                                                          const Spins<2>&, double);
+template void ContactDynamics<3>::Implementation::foresee(const std::vector<double>&, const Vectors<3>&,
+                                                          const Spins<3>&, double);
 template void ContactDynamics<2>::Implementation::measureOverlaps(StepReport&);
 template void ContactDynamics<3>::Implementation::measureOverlaps(StepReport&);
 template double ContactDynamics<2>::Implementation::freeSpeed(std::size_t) const;

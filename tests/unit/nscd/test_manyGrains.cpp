@@ -85,7 +85,38 @@ void expectMomentumAndEnergyBalance(int perSide)
     EXPECT_GT(contacts, 1000u);
 }
 
+/// A trial says what the step then does, and leaves all else as it was: the step is bit for bit that without a trial.
+template <int D>
+void expectTrialToForesee()
+{
+    Scene<D> scene = agitated<D>(3, 0.3);
+    scene.table.set(0, 0, {0.3, 0.6});
+    scene.table.set(0, 1, {0.3, 0.6});
+    auto dynamics = scene.dynamics(), other = scene.dynamics();
+    const nscd::Grains<D>& grains = dynamics.grains();
+    const std::size_t n = grains.size();
+    const nscd::Vectors<D> force(n, up<D>(-1));
+    const nscd::Spins<D> torque(n, nscd::Spin<D>::Zero());
+    constexpr double length = 0.1;
+
+    dynamics.foresee(grains.mass, force, torque, length);
+    const nscd::Vectors<D> impulse = dynamics.contactImpulse();
+    const nscd::Spins<D> spinImpulse = dynamics.contactSpinImpulse();
+    EXPECT_EQ(dynamics.lastTimeStep(), length);
+    EXPECT_TRUE(sameBits(grains.position, other.grains().position));
+    EXPECT_TRUE(sameBits(grains.velocity, other.grains().velocity));
+
+    EXPECT_GT(dynamics.step(force, torque, length).contacts, 0u);
+    other.step(force, torque, length);
+    EXPECT_TRUE(sameBits(dynamics, other));
+    EXPECT_TRUE(sameBits(impulse, other.contactImpulse()));
+    EXPECT_TRUE(sameBits(spinImpulse, other.contactSpinImpulse()));
+}
+
 }  // namespace
+
+TEST(ManyGrains, TrialForesees2D) { expectTrialToForesee<2>(); }
+TEST(ManyGrains, TrialForesees3D) { expectTrialToForesee<3>(); }
 
 TEST(TwoSpheres, ExchangeImpulsesOfAnInelasticFrictionalCollision)
 {

@@ -5,7 +5,9 @@
 
 #include "faceMomentum.H"
 
+#include "cyclicAMIFvPatch.H"
 #include "fvc.H"
+#include "timeScheme.H"
 
 namespace
 {
@@ -38,8 +40,30 @@ tmp<volScalarField> leastA
 }
 
 
-//- OpenFOAM's limiter of what a flux differs from that of its cells by, between
-//  cells of two fluids; 1 between others
+//- OpenFOAM's limiter of what a flux differs from that of its cells by, which
+//  knows no size of the case
+tmp<surfaceScalarField> limiter
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& difference
+)
+{
+    tmp<surfaceScalarField> tresult
+    (
+        1
+      - min
+        (
+            mag(difference)
+           /(mag(flux) + dimensionedScalar("small", flux.dimensions(), VSMALL)),
+            scalar(1)
+        )
+    );
+    tresult.ref().setOriented(false);
+    return tresult;
+}
+
+
+//- The same between cells of two fluids; 1 between others
 tmp<surfaceScalarField> limiterBetweenFluids
 (
     const surfaceScalarField& flux,
@@ -53,17 +77,32 @@ tmp<surfaceScalarField> limiterBetweenFluids
        /(rho.mesh().deltaCoeffs()*fvc::interpolate(rho))
     );
     jump.setOriented(false);
-    surfaceScalarField excess
-    (
-        min
+    return 1 - pos(jump - 1e-3)*(1 - limiter(flux, difference));
+}
+
+
+//- The same beside boundaries as inside, but 0 where they give the velocity
+tmp<surfaceScalarField> limiterInside
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& difference,
+    const volVectorField& U
+)
+{
+    tmp<surfaceScalarField> tresult(limiter(flux, difference));
+    surfaceScalarField::Boundary& boundary = tresult.ref().boundaryFieldRef();
+    forAll(boundary, patchi)
+    {
+        if
         (
-            mag(difference)
-           /(mag(flux) + dimensionedScalar("small", flux.dimensions(), VSMALL)),
-            scalar(1)
+            U.boundaryField()[patchi].fixesValue()
+         || isA<cyclicAMIFvPatch>(U.mesh().boundary()[patchi])
         )
-    );
-    excess.setOriented(false);
-    return 1 - pos(jump - 1e-3)*excess;
+        {
+            boundary[patchi] = 0;
+        }
+    }
+    return tresult;
 }
 
 
@@ -94,37 +133,35 @@ tmp<surfaceScalarField> changeOfOldFlux
 {
     const dimensionedScalar& deltaT = rho.time().deltaT();
     const surfaceScalarField ofBoth(faces.ofFaces(step.alpha));
-    const auto ofCells = [&](const volVectorField& u)
-    {
-        return faces.fluxOfFaces(step.alpha*u)/ofBoth;
-    };
+    const auto beyondCells =
+        [&](const surfaceScalarField& flux, const volVectorField& u)
+        {
+            return flux - faces.fluxOfFaces(step.alpha*u)/ofBoth;
+        };
+    const surfaceScalarField& flux = phi.oldTime();
+    const surfaceScalarField difference(beyondCells(flux, U.oldTime()));
     if (resolved.isActive())
     {
         // Drag and viscosity bring the flux of a face to that of its cells.  With
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
-        const surfaceScalarField difference
-        (
-            phi.oldTime() - ofCells(U.oldTime())
-        );
         return
-            limiterBetweenFluids(phi.oldTime(), difference, rho)
+            limiterBetweenFluids(flux, difference, rho)
            *fvc::interpolate(leastInertia(step, rho)/(faces.A*deltaT))
            *difference/deltaT;
     }
 
-    // The same difference for OpenFOAM, which takes the mean of the cells
-    surfaceScalarField toMean("toMean", phi);
-    const auto shift = [&](surfaceScalarField& flux, const volVectorField& u)
+    const bool hasEarlier = phi.nOldTimes() > 1 && U.nOldTimes() > 1;
+    const weightsInTime weights(rho.mesh(), hasEarlier);
+    surfaceScalarField change(weights.before*difference);
+    if (hasEarlier && weights.earlier > 0)
     {
-        flux += fvc::flux(u) - ofCells(u);
-    };
-    shift(toMean.oldTime(), U.oldTime());
-    if (toMean.nOldTimes() > 1 && U.nOldTimes() > 1)
-    {
-        shift(toMean.oldTime().oldTime(), U.oldTime().oldTime());
+        change -= weights.earlier
+           *beyondCells(flux.oldTime(), U.oldTime().oldTime());
     }
-    return fvc::ddtCorr(U, toMean);
+    return
+        limiterInside(fvc::flux(U.oldTime()) + difference, difference, U)
+       *change/deltaT;
 }
 
 }

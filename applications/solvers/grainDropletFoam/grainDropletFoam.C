@@ -144,8 +144,7 @@ int main(int argc, char *argv[])
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());
         dropletBooks.endStep(force);
-        droplets.remove(dried);
-        boiling.remove(dried);
+        boiling.remove(droplets.remove(dried));
         grains.checkLost();
         droplets.checkLost();
 

@@ -135,7 +135,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
         dict_,
         {
             "FoamFile", "liquid", "initialDroplets", "motion", "blowing", "from",
-            "walls", "tolerance", "saturation", "releases"
+            "walls", "outlets", "tolerance", "saturation", "releases"
         }
     );
 
@@ -174,6 +174,10 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
         }
     }
     result.add("walls", walls);
+    if (dict_.found("outlets"))
+    {
+        result.add("outlets", dictionaryInput::subDict(dict_, "outlets"));
+    }
 
     result.add
     (
@@ -301,9 +305,27 @@ std::vector<bool> Foam::liquidDroplets::shrink()
 }
 
 
-void Foam::liquidDroplets::remove(const std::vector<bool>& gone)
+std::vector<bool> Foam::liquidDroplets::remove(const std::vector<bool>& dried)
 {
-    system_.discharge(gone);
+    const std::vector<bool> left(system_.leaving());
+    std::vector<bool> gone(dried), others;
+    for (label i = 0; i < size(); ++i)
+    {
+        if (left[i])
+        {
+            Info<< "Droplet " << system_.motion().id(i)
+                << " has left through an outlet, with " << mass(i) << " kg"
+                << endl;
+            gone[i] = true;
+        }
+        else
+        {
+            others.push_back(dried[i]);
+        }
+    }
+    system_.discharge(left);
+    system_.remove(others);
+    return gone;
 }
 
 

@@ -9,6 +9,7 @@
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
 #include "implicitTransfer.H"
+#include "openingExchange.H"
 
 
 Foam::dropletTerm::dropletTerm
@@ -139,6 +140,10 @@ void Foam::dropletTerm::forces
     addForceOnSmall(U, force);
     sumOverRanks(force);
     bodies_.addViscousTorque(U, mu, torque);
+    openingExchange(droplets_.system(), fluid_).extendForce
+    (
+        bodies_, force, torque
+    );
 }
 
 

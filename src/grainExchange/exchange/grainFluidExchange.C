@@ -233,7 +233,7 @@ void Foam::grainFluidExchange::meshChanged()
 bool Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);
-    fields_.freePatches = openings_.freePatches(U);
+    fields_.freePatches = openings_.freePatches(U, resolved_->openings());
     if (!grains_.inject(U))
     {
         return false;

@@ -21,11 +21,15 @@ Foam::openingExchange::openingExchange
 
 Foam::labelHashSet Foam::openingExchange::freePatches
 (
-    const volVectorField& U
+    const volVectorField& U,
+    const labelList& ofOthers
 ) const
 {
+    labelList all(grains_.motion().openings());
+    all.append(ofOthers);
+
     labelHashSet result;
-    for (const label patchi : grains_.motion().openings())
+    for (const label patchi : all)
     {
         if (U.boundaryField()[patchi].assignable())
         {

@@ -23,7 +23,7 @@ Foam::grainDynamics<D>::grainDynamics
     name_(set.name),
     properties_(mesh, g, set),
     injections_(properties_),
-    outlets_(properties_, injections_.openings()),
+    outlets_(properties_, injections_.openings(), name_),
     openings_(outlets_.openings())
 {
     properties_.patches().requireMesh();
@@ -94,8 +94,8 @@ Foam::grainDynamics<D>::grainDynamics
     injections_.startAfter(grains());
     if (restart)
     {
-        injections_.load(fileBeside("injections"));
-        outlets_.load(fileBeside("outlets"));
+        injections_.load(stateFile().path()/"injections");
+        outlets_.load(stateFile().path());
     }
     else
     {

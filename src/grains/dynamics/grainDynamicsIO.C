@@ -26,7 +26,9 @@ bool holdsStatesOnly(const Foam::fileName& timeDir)
         [](const Foam::fileName& file)
         {
             return
-                file == "injections" || file == "outlets" || file.ext() == "h5";
+                file == "injections"
+             || file.lessExt() == "outlets"
+             || file.ext() == "h5";
         }
     );
 }
@@ -88,8 +90,8 @@ template<int D>
 void Foam::grainDynamics<D>::beginWrite() const
 {
     save(".incomplete");
-    injections_.save(fileBeside("injections"));
-    outlets_.save(fileBeside("outlets"));
+    injections_.save(stateFile().path()/"injections");
+    outlets_.save(stateFile().path());
 }
 
 

@@ -15,10 +15,12 @@ template<int D>
 Foam::grainOutlets<D>::grainOutlets
 (
     const grainProperties<D>& properties,
-    const labelList& inlets
+    const labelList& inlets,
+    const word& name
 )
 :
-    progress_(properties.space().mesh().time())
+    progress_(properties.space().mesh().time()),
+    suffix_(name == grainSet().name ? word() : "." + name)
 {
     if (properties.dict().found("outlets"))
     {
@@ -103,7 +105,7 @@ void Foam::grainOutlets<D>::count
     {
         file_ = progress_.newFile
         (
-            "discharge", "discharge.dat",
+            "discharge" + suffix_, "discharge.dat",
             "# time removed removedMass massFlowRate total totalMass"
         );
     }
@@ -115,12 +117,13 @@ void Foam::grainOutlets<D>::count
 
 
 template<int D>
-void Foam::grainOutlets<D>::save(const fileName& file) const
+void Foam::grainOutlets<D>::save(const fileName& dir) const
 {
     if (isEmpty() || !Pstream::master())
     {
         return;
     }
+    const fileName file(dir/"outlets" + suffix_);
     OFstream os(file);
     os.precision(17);
     os  << "FoamFile { version 2.0; format ascii; class dictionary; object "
@@ -131,12 +134,13 @@ void Foam::grainOutlets<D>::save(const fileName& file) const
 
 
 template<int D>
-void Foam::grainOutlets<D>::load(const fileName& file)
+void Foam::grainOutlets<D>::load(const fileName& dir)
 {
     if (isEmpty())
     {
         return;
     }
+    const fileName file(dir/"outlets" + suffix_);
     if (!isFile(file, false))
     {
         Info<< "There is no " << file << ": outlets count from zero" << nl << endl;

@@ -243,6 +243,17 @@ void Foam::grainSystem::discharge(const std::vector<bool>& gone)
 }
 
 
+void Foam::grainSystem::remove(const std::vector<bool>& gone)
+{
+    const label before = size();
+    motion_->remove(gone);
+    if (size() < before)
+    {
+        map();
+    }
+}
+
+
 bool Foam::grainSystem::isWithinBounds(const label graini) const
 {
     for (const grainMember& body : bodies_.members(graini))

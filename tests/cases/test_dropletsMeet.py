@@ -99,6 +99,23 @@ def test_temperature_and_heat_of_those_that_merge(clone):
     assert heat_ledger(case)["fluidError"].max() < 1e-8
 
 
+def test_one_that_comes_where_another_is_brings_its_temperature(clone):
+    """A saturated droplet released at the surface of one that is as warm as it."""
+    case = box(
+        clone,
+        [(0.05, 0.04)],
+        T=400,
+        vapour="vapour { D 2e-5; }",
+        entries=ANTOINE.format(pressure=1e5, temperature=340) + RELEASE % 0.01,
+    )
+    (case.path / "constant/late.csv").write_text("x,y,z,radius\n0.05,0.0559,0.005,0.008\n")
+    with_psi(case, 0, '"left|right|bottom|top" { type zeroGradient; } frontAndBack { type empty; }')
+    control(case, endTime=0.02)
+    case.run("grainDropletFoam")
+    assert "touch and merge" in case.log
+    np.testing.assert_allclose(droplet_table(case)["temperature"], 340, atol=0.1)
+
+
 def test_release_restart_and_ranks(clone):
     """The release falls on the time of the restart, in a run of its own before it."""
 

@@ -147,17 +147,16 @@ void Foam::saturatedSurface::follow
 )
 {
     scalarField T(nDroplets, Zero), waiting(nDroplets, Zero), left(T);
+    scalarField known(T);
     forAll(fates, i)
     {
         T[fates[i].now] += fates[i].share*temperature_[i];
+        known[fates[i].now] += fates[i].share;
         waiting[fates[i].now] += waiting_[i];
         left[fates[i].now] += left_[i];
     }
-    for (scalar& value : T)
-    {
-        // Has come
-        value = value > 0 ? value : initial_;
-    }
+    // The rest of it has come just now
+    T += (1 - known)*initial_;
     temperature_ = T;
     waiting_ = waiting;
     left_ = left;

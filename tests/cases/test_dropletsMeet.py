@@ -116,6 +116,23 @@ def test_one_that_comes_where_another_is_brings_its_temperature(clone):
     np.testing.assert_allclose(droplet_table(case)["temperature"], 340, atol=0.1)
 
 
+def test_a_cell_between_two_serves_both(clone):
+    """Whichever is on its left: a light liquid, whose surfaces go back with the vapour."""
+    books = []
+    for side in (1, -1):
+        places = [(0.05 + side * x, 0.0505) for x in (-0.0113, 0.0112)]
+        case = box(clone, places, name=f"side{side}", density=12, entries="motion fixed;")
+        file = case.path / "constant/droplets.csv"
+        file.write_text(file.read_text()[::-1].replace("800.0", "5010.0", 1)[::-1])
+        control(case, endTime=0.01)
+        case.run("grainDropletFoam")
+        books.append(droplet_table(case))
+    one, other = books
+    for column, sign in (("fx", -1), ("tx", -1), ("fy", 1), ("radius", 1)):
+        scale = np.abs(one[column]).max()
+        np.testing.assert_allclose(other[column], sign * one[column], atol=1e-7 * scale)
+
+
 def test_release_restart_and_ranks(clone):
     """The release falls on the time of the restart, in a run of its own before it."""
 

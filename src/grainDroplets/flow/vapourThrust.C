@@ -40,11 +40,13 @@ void Foam::vapourThrust::set
     coefficient_ = scalarField(V.size(), Zero);
     thrust_ = vectorField(droplets_.size(), Zero);
 
-    scalarField rate(V.size(), Zero), area(V.size(), Zero);
+    // A cell may be beside two droplets, whose faces come in any order
+    scalarField rate(V.size(), Zero), area(V.size(), Zero), swelling(V.size(), Zero);
     for (const vapourJet& jet : jets)
     {
         rate[jet.cell] += jet.rate;
         area[jet.cell] += jet.area;
+        swelling[jet.cell] += jet.area*growth[jet.droplet];
     }
     speed_ == dimensionedScalar(dimVelocity, Zero);
     for (const vapourJet& jet : jets)
@@ -52,7 +54,7 @@ void Foam::vapourThrust::set
         speed_[jet.cell] =
             rate[jet.cell]
            /(droplets_.properties().vapourDensity*area[jet.cell])
-          + growth[jet.droplet];
+          + swelling[jet.cell]/area[jet.cell];
     }
     speed_.correctBoundaryConditions();
 

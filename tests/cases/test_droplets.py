@@ -93,6 +93,45 @@ def test_a_droplet_evaporates_to_the_last(clone):
     assert heat_ledger(case)["fluidError"].max() < 1e-8
 
 
+def to_the_last(case, place, radius, side, empty, **box):
+    """Hold a light droplet in hot gas until it is gone."""
+    hot = BOILING + LATENT / GAS_CP
+    sides = f'"left|right|bottom|top|back|front" {{ type fixedValue; value uniform {hot}; }}'
+    with_heat(case, T=hot, grains=300, patches=sides, fluid=GAS, empty=empty)
+    make_gas(case)
+    replace(case, "constant/g", "-9.81", "0")
+    replace(case, "0/U", "type    noSlip", "type    zeroGradient")
+    replace(case, "0/p_rgh", "type    zeroGradient", "type fixedValue; value uniform 0")
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+    with_droplets(case, [(0, 0)], radius, density=10, entries="motion fixed; from 2;")
+    row = ",".join(map(str, [*place, radius]))
+    (case.path / "constant/droplets.csv").write_text(f"x,y,z,radius\n{row}\n")
+    control(case, endTime=0.2, writeInterval=1000)
+    case.run("grainDropletFoam")
+    assert case.logged("Droplets  ")[-1] == 0
+    return droplet_table(case)["vapour"].sum()
+
+
+def test_a_sphere_at_a_corner_of_cells_evaporates_to_the_last(clone):
+    """From 1.73 to 1.5 cells across it has the centre of none."""
+    side, n = 6e-3, 12
+    radius = 1.02 * side / n
+    vapour = to_the_last(sphere_box(clone, n=n, side=side), 3 * [side / 2], radius, side, "")
+    assert vapour == pytest.approx(10 * 4 / 3 * np.pi * radius**3, rel=1e-9)
+
+
+def test_a_disc_in_slender_cells_evaporates_to_the_last(clone):
+    side = 6e-3
+    case = grain_box(clone)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(12 48 1)")
+    replace(case, "system/blockMeshDict", "vertices", "scale 0.06; vertices")
+    case.run("blockMesh")
+    radius = 2.04 * side / 24
+    place = [side / 2, side / 2, 3e-4]
+    vapour = to_the_last(case, place, radius, side, "frontAndBack { type empty; }")
+    assert vapour == pytest.approx(10 * np.pi * radius**2 * 6e-4, rel=1e-9)
+
+
 @pytest.mark.parametrize("density", [500, 1250, 2500])
 def test_without_heat_a_droplet_moves_as_a_resolved_grain(clone, density):
     place, radius = (0.048, 0.055), 0.022

@@ -74,14 +74,38 @@ void Foam::liquidDroplets::findSmall(const scalar cells)
         }
     }
     sumOverRanks(mean);
+    const scalarField centres(nCentres());
     isSmall_.resize(this->size());
     forAll(mean, i)
     {
         mean[i] /= max(system_.mappedVolume()[i], VSMALL);
 
         // As resolvedGrains has it
-        isSmall_[i] = system_.fluidDiameter(i) < (1 - 1e-6)*cells*mean[i];
+        isSmall_[i] =
+            system_.fluidDiameter(i) < (1 - 1e-6)*cells*mean[i]
+         || centres[i] == 0;
     }
+}
+
+
+Foam::scalarField Foam::liquidDroplets::nCentres() const
+{
+    const fvMesh& mesh = system_.mesh();
+    scalarField result(this->size(), Zero);
+    for (label i = 0; i < this->size(); ++i)
+    {
+        for (const cellOverlap& o : system_.overlaps().of(i))
+        {
+            vector arm(system_.shortest(mesh.C()[o.cell] - system_.centres()[i]));
+            for (direction d = 0; d < vector::nComponents; ++d)
+            {
+                arm[d] = mesh.geometricD()[d] < 0 ? 0 : arm[d];
+            }
+            result[i] += mag(arm) < system_.motion().radius(i) ? 1 : 0;
+        }
+    }
+    sumOverRanks(result);
+    return result;
 }
 
 

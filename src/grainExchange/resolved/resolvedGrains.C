@@ -123,6 +123,21 @@ void Foam::resolvedGrains::lockCells()
     }
     grain_.correctBoundaryConditions();
     locked_.correctBoundaryConditions();
+
+    // One of few cells, or in slender ones, may have the centre of none
+    scalarField cells(grains_.size(), Zero);
+    forAll(locked_, celli)
+    {
+        if (locked_[celli] > 0)
+        {
+            cells[grain(celli)] += 1;
+        }
+    }
+    sumOverRanks(cells);
+    forAll(cells, graini)
+    {
+        isResolved_[graini] = isResolved_[graini] && cells[graini] > 0;
+    }
 }
 
 

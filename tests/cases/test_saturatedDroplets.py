@@ -126,3 +126,17 @@ def test_the_last_of_it_keeps_its_temperature(clone, dt):
     assert 313 < late.min() and late.max() < 343
     assert gas["leastT"].min() > 313
     assert gas["fluidError"].max() < 1e-6
+
+
+def test_what_condenses_comes_from_the_humid_side(clone):
+    """More condenses on the left than evaporates on the right: no cell takes it all."""
+    case = saturated(clone, 300.0, 300.0, density=1e9, liquid="Cp 1e12;")
+    share = share_of_water(300.0)
+    psi = f"{1.75 * share} - {1.25 * share / OUTER}*pos().x()"
+    replace(case, "0/psi", "type fixedValue;", f'type exprFixedValue; valueExpr "{psi}";')
+    control(case, endTime=0.4, deltaT=2e-3, writeInterval=200)
+    case.run("grainDropletFoam")
+    rate = -droplet_table(case)["vapour"][-1] / 2e-3
+    assert rate > 0
+    even = rate / (GAS_RHO * 2 * np.pi * RADIUS * DEPTH)
+    assert np.abs(case.field("U")).max() < 4 * even

@@ -126,12 +126,15 @@ Foam::scalarField Foam::evaporation::shares
     {
         const dropletFace& f = faces[i];
         const scalar Td = temperature(f.droplet);
+        // What condenses comes from where there is more than at the surface
+        const scalar sign =
+            saturated_ && saturated_->toEvaporate(f.droplet) < 0 ? -1 : 1;
         drive[i] =
             f.conductance
            *max
             (
                 saturated_
-              ? saturated_->share(Td) - steam_.psi().field()[f.cell]
+              ? sign*(saturated_->share(Td) - steam_.psi().field()[f.cell])
               : f.conductivity*(T[f.cell] - Td),
                 scalar(0)
             );

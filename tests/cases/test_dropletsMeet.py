@@ -99,8 +99,9 @@ def test_temperature_and_heat_of_those_that_merge(clone):
     assert heat_ledger(case)["fluidError"].max() < 1e-8
 
 
-def test_one_that_comes_where_another_is_brings_its_temperature(clone):
-    """A saturated droplet released at the surface of one that is as warm as it."""
+@pytest.mark.parametrize("y", [0.0559, 0.047, 0.04])
+def test_one_that_comes_where_another_is_brings_its_temperature(clone, y):
+    """A saturated droplet released at the surface of one that is as warm as it, or inside it."""
     case = box(
         clone,
         [(0.05, 0.04)],
@@ -108,12 +109,14 @@ def test_one_that_comes_where_another_is_brings_its_temperature(clone):
         vapour="vapour { D 2e-5; }",
         entries=ANTOINE.format(pressure=1e5, temperature=340) + RELEASE % 0.01,
     )
-    (case.path / "constant/late.csv").write_text("x,y,z,radius\n0.05,0.0559,0.005,0.008\n")
+    (case.path / "constant/late.csv").write_text(f"x,y,z,radius\n0.05,{y},0.005,0.008\n")
     with_psi(case, 0, '"left|right|bottom|top" { type zeroGradient; } frontAndBack { type empty; }')
     control(case, endTime=0.02)
     case.run("grainDropletFoam")
     assert "touch and merge" in case.log
-    np.testing.assert_allclose(droplet_table(case)["temperature"], 340, atol=0.1)
+    book = droplet_table(case)
+    np.testing.assert_allclose(book["temperature"], 340, atol=0.1)
+    assert book["radius"][-1] == pytest.approx(np.sqrt(2) * RADIUS, rel=1e-3)
 
 
 def test_a_cell_between_two_serves_both(clone):

@@ -32,10 +32,6 @@ void Foam::grainDynamics<D>::add
     nscd::Grains<D> some(properties_.grains(source));
     std::iota(some.id.begin(), some.id.end(), firstId);
     add(some, source);
-    grainChecks<D>
-    (
-        properties_, grains(), source, source.dictName()
-    ).requireNoOverlap();
 }
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from droplet_box import BOILING, GAS, make_gas, with_droplets
 from dry_box import dry_box, write_grains
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
@@ -34,6 +35,17 @@ def test_patches_that_grains_can_pass_are_listed(clone):
     path.write_text(path.read_text() + "outlets { one { type patches; patches (top); } }\n")
     case.run("checkGrains")
     assert f"Patches (left) {note}" in case.log
+
+
+def test_patches_that_droplets_can_pass_are_not_said_of_the_grains(clone):
+    case = grain_box(clone)
+    make_gas(case)
+    with_heat(case, T=BOILING, fluid=GAS)
+    with_droplets(case, [(0.05, 0.05)], 0.025)
+    control(case, endTime=0.001)
+    case.run("grainDropletFoam")
+    note = "Patches (left right bottom top) are neither walls nor outlets of droplets"
+    assert case.log.count(note) == case.log.count("neither walls") == 1
 
 
 def test_masses_that_the_solver_cannot_cope_with_are_reported(clone):

@@ -90,7 +90,7 @@ Foam::grainDynamics<D>::grainDynamics
     {
         refuseMirrors(properties_.dict(), mesh);
     }
-    printPassablePatches(properties_.dict(), mesh);
+    printPassablePatches(properties_.dict(), mesh, name_);
     injections_.startAfter(grains());
     if (restart)
     {

@@ -102,14 +102,15 @@ void Foam::refuseMirrors
 void Foam::printPassablePatches
 (
     const dictionary& grainProperties,
-    const polyMesh& mesh
+    const polyMesh& mesh,
+    const word& bodies
 )
 {
     const wordList names(passablePatches(grainProperties, mesh));
     if (names.size())
     {
         Info<< "Patches " << dictionaryInput::listed(names).c_str() << " are neither walls nor"
-            << " outlets of grains: a grain that passes one is lost, which"
-            << " ends the run" << endl;
+            << " outlets of " << bodies << ": one of them that passes there is"
+            << " lost, which ends the run" << endl;
     }
 }

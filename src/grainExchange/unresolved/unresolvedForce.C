@@ -66,7 +66,8 @@ void Foam::unresolvedTerm::addForceAtStart
     const tmp<scalarField> rho(weight_.seen());
 
     // Drag that holds a grain in a step so that it keeps a hundredth of any other
-    // velocity; a mass of more would make much of the contact solver's error
+    // velocity; a mass of more would make much of the contact solver's error.
+    // The added mass counts in full: the known force has its other part.
     constexpr scalar stiff = 100;
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
@@ -79,7 +80,9 @@ void Foam::unresolvedTerm::addForceAtStart
         const scalar mostGamma = stiff*grains_.motion().density(graini)/deltaT;
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            const scalar gamma = min(transfer_[o.index].gamma, mostGamma);
+            const scalar added = dragOfAddedMass(o.cell);
+            const scalar gamma =
+                added + min(transfer_[o.index].gamma - added, mostGamma);
             force[graini] +=
                 weight_.force(o.volume, rho()[o.cell])
               + o.volume*(gamma*(U[o.cell] - v) + knownForce_[o.index]);

@@ -8,6 +8,7 @@
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
 #include "labelVector.H"
+#include "missingFields.H"
 #include "zeroGradientFvPatchFields.H"
 
 bool Foam::grainFluidExchange::readForm(const dictionary& dict)
@@ -66,7 +67,11 @@ Foam::grainFluidExchange::grainFluidExchange
     resolved_(std::move(resolved)),
     openings_(grains, fluid),
     given_(Zero),
-    received_(Zero)
+    received_(Zero),
+    hasStep_
+    (
+        grains.motion().lastTimeStep() > 0 && isThere(mesh_, eps_.name())
+    )
 {
     if (&fluid != &aroundGrains)
     {
@@ -208,11 +213,12 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
     const stopwatch::lap lap(time_);
 
     predictOnce(U);
-    if (grains_.motion().lastTimeStep() <= 0 && !grains_.motion().isFixed())
+    if (!hasStep_ && !grains_.motion().isFixed())
     {
         foreseeContacts(U);
         predictOnce(U);
     }
+    hasStep_ = true;
     tellTreatment();
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());

@@ -106,6 +106,11 @@ void Foam::vansFlow::startStep()
             resolved_.setSurfaceFlux(flux->oldTime());
         }
     }
+    if (isSecondOrderInTime(mesh_))
+    {
+        // The inertia of a face has that of the last two steps
+        fields_.phiMomentum.oldTime().oldTime();
+    }
     areFluxesOfU_ = false;
     step_.reset
     (

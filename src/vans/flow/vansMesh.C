@@ -7,6 +7,7 @@
 
 #include "findRefCell.H"
 #include "fvc.H"
+#include "timeScheme.H"
 
 namespace
 {
@@ -48,6 +49,17 @@ void Foam::vansFlow::beforeMeshChange()
         keepOldTime(*flux);
         faceU_.append(withFlux(fields_.U, *flux).ptr());
     }
+    if (isSecondOrderInTime(mesh_))
+    {
+        faceU_.append
+        (
+            withFlux
+            (
+                fields_.U.oldTime().oldTime(),
+                fields_.phiMomentum.oldTime().oldTime()
+            ).ptr()
+        );
+    }
     step_.clear();
     UEqn_.clear();
     faces_.clear();
@@ -77,6 +89,18 @@ void Foam::vansFlow::meshChanged()
             flux->oldTime() = mesh_.Sf() & faceU_[i++];
         }
         *flux = flux->oldTime();
+    }
+    if (isSecondOrderInTime(mesh_))
+    {
+        surfaceScalarField& flux = fields_.phiMomentum.oldTime().oldTime();
+        if (mesh_.topoChanging())
+        {
+            flux = fvc::flux(fields_.U.oldTime().oldTime());
+        }
+        else
+        {
+            flux = mesh_.Sf() & faceU_[i];
+        }
     }
     faceU_.clear();
 }

@@ -90,16 +90,18 @@ void Foam::liquidDroplets::findSmall(const scalar cells)
 
 Foam::scalarField Foam::liquidDroplets::nCentres() const
 {
-    const fvMesh& mesh = system_.mesh();
+    // All ranks make these, whether a droplet is theirs or not
+    const vectorField& C = system_.mesh().C();
+    const Vector<label>& directions = system_.mesh().geometricD();
     scalarField result(this->size(), Zero);
     for (label i = 0; i < this->size(); ++i)
     {
         for (const cellOverlap& o : system_.overlaps().of(i))
         {
-            vector arm(system_.shortest(mesh.C()[o.cell] - system_.centres()[i]));
+            vector arm(system_.shortest(C[o.cell] - system_.centres()[i]));
             for (direction d = 0; d < vector::nComponents; ++d)
             {
-                arm[d] = mesh.geometricD()[d] < 0 ? 0 : arm[d];
+                arm[d] = directions[d] < 0 ? 0 : arm[d];
             }
             result[i] += mag(arm) < system_.motion().radius(i) ? 1 : 0;
         }

@@ -94,26 +94,24 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
     const scalar deltaT
 ) const
 {
-    const scalar lastDeltaT = dynamics().lastTimeStep();
-    if (isFixed() || lastDeltaT <= 0)
+    if (isFixed())
     {
         return {Zero, Zero};
     }
 
+    const nscd::Wrenches<D>& lasting = dynamics().lasting();
     const nscd::Spin<D> spin
     (
         nscd::spinOf<D>
         (
             grains(), graini, grains().orientation[graini],
-            dynamics().contactSpinImpulse()[graini]
+            lasting.torque[graini]
         )
     );
-    const scalar scale = deltaT/lastDeltaT;
     return
     {
-        scale*space().toSpace(dynamics().contactImpulse()[graini])
-       /grains().mass[graini],
-        scale*space().spinInSpace(spin)
+        deltaT*space().toSpace(lasting.force[graini])/grains().mass[graini],
+        deltaT*space().spinInSpace(spin)
     };
 }
 

@@ -26,6 +26,14 @@ using Vectors = std::vector<Vector<D>>;
 template <int D>
 using Spins = std::vector<Spin<D>>;
 
+/// A force [N] and a torque [N m] of each grain.
+template <int D>
+struct Wrenches
+{
+    Vectors<D> force;
+    Spins<D> torque;
+};
+
 template <int D>
 struct OrientationOf
 {

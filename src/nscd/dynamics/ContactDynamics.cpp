@@ -109,6 +109,12 @@ const Spins<D>& ContactDynamics<D>::contactSpinImpulse() const
 }
 
 template <int D>
+const Wrenches<D>& ContactDynamics<D>::lasting() const
+{
+    return implementation_->lasting();
+}
+
+template <int D>
 double ContactDynamics<D>::lastTimeStep() const
 {
     return implementation_->lastTimeStep();

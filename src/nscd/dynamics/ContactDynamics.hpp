@@ -148,13 +148,17 @@ public:
     /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
-    /// Set contactImpulse() and lastTimeStep() to what step() would leave there if grains had these masses [kg], and
-    /// nothing else: for bodies that have no step behind them.  Collective; arguments and errors of step().
+    /// Set contactImpulse(), lasting() and lastTimeStep() to what the contacts of a step would leave there if grains had
+    /// these masses [kg], and nothing else: for bodies that have no step behind them.  Collective; arguments and errors of step().
     void foresee(const std::vector<double>& mass, const Vectors<D>& force, const Spins<D>& torque, double dt);
 
     /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.
     const Vectors<D>& contactImpulse() const;
     const Spins<D>& contactSpinImpulse() const;
+
+    /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the step
+    /// before, too: what holds it, without bounces and landings.
+    const Wrenches<D>& lasting() const;
 
     /// Length of the last step [s]; 0 before the first.
     double lastTimeStep() const;

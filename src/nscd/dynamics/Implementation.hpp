@@ -24,6 +24,7 @@ public:
     const Settings& settings() const { return settings_; }
     const Vectors<D>& contactImpulse() const { return contactImpulse_; }
     const Spins<D>& contactSpinImpulse() const { return contactSpinImpulse_; }
+    const Wrenches<D>& lasting() const { return lasting_; }
     double lastTimeStep() const { return lastTimeStep_; }
     double worstOverlap() const { return worstOverlap_; }
 
@@ -79,6 +80,9 @@ private:
 
     /// Of the sub-step of length dt that has just ended, if they are recorded.
     void keepTouching(double dt);
+
+    /// What contacts gave each grain over a time [s], on average.
+    Wrenches<D> meanOfContacts(double dt) const;
 
     void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
@@ -230,6 +234,7 @@ private:
 
     Vectors<D> contactImpulse_;
     Spins<D> contactSpinImpulse_;
+    Wrenches<D> lasting_;
     double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
 };
 

@@ -102,6 +102,8 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(grains_.temperature, gone);
     drop(contactImpulse_, gone);
     drop(contactSpinImpulse_, gone);
+    drop(lasting_.force, gone);
+    drop(lasting_.torque, gone);
 
     ambient_.clear();
     measureGrains();

@@ -117,6 +117,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.materials = table_.names();
     state.contactImpulse = contactImpulse_;
     state.contactSpinImpulse = contactSpinImpulse_;
+    state.lasting = lasting_;
     state.lastTimeStep = lastTimeStep_;
     state.lastSubStep = lastSubStep_;
     state.candidatePosition = candidates_.positions();
@@ -166,6 +167,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     contactImpulse_ = std::move(state.contactImpulse);
     contactSpinImpulse_ = std::move(state.contactSpinImpulse);
     lastTimeStep_ = state.lastTimeStep;
+    lasting_ = state.lasting.force.empty() ? meanOfContacts(lastTimeStep_) : std::move(state.lasting);
     lastSubStep_ = state.lastSubStep;
     measureGrains();
     restoreWalls(state);

@@ -346,6 +346,8 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("temperature", toColumn<double>(s.grains.temperature), "K");
     out.write("contactImpulse", toTable(s.contactImpulse), "N s");
     out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
+    out.write("lastingForce", toTable(s.lasting.force), "N");
+    out.write("lastingTorque", toTable(s.lasting.torque), "N m");
     out.write("candidatePosition", toTable(s.candidatePosition), "m");
     out.write("candidateOrientation", toTable<D>(s.candidateOrientation), D == 2 ? "rad" : "1");
     out.write("candidateReach", toColumn<double>(s.candidateReach.ofGrain), "m");
@@ -418,6 +420,10 @@ State<D> readState(const std::string& file)
     s.grains.temperature = column("temperature");
     s.contactImpulse = vectors("contactImpulse");
     s.contactSpinImpulse = spins("contactSpinImpulse");
+    if (in.contains("lastingForce"))
+    {
+        s.lasting = {vectors("lastingForce"), spins("lastingTorque")};
+    }
     s.candidatePosition = vectors("candidatePosition");
     s.candidateOrientation = orientations("candidateOrientation");
     if (in.hasAttribute("candidateSkin"))   // of states with one distance for all

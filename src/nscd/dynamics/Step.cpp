@@ -33,6 +33,16 @@ void requireFinite(const Vectors<D>& vectors, const Spins<D>& spins, const Grain
     }
 }
 
+/// Of a force as much as lasts: at most twice what an earlier one has in its direction.  Once as much would make
+/// less of a force that varies, as the sweeps leave it, on average.
+template <class V>
+V lastingPart(const V& now, const V& before)
+{
+    const double most = 2 * now.dot(before);
+    const double square = now.squaredNorm();
+    return most <= 0 ? V(V::Zero()) : most < square ? V(most / square * now) : now;
+}
+
 }  // namespace
 
 template <int D>
@@ -51,6 +61,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     requireFinite(grains_.velocity, grains_.spin, grains_, "velocity", "spin");
 
     StepReport report;
+    const Wrenches<D> before = meanOfContacts(lastTimeStep_);
     setFreeMotion(force, torque, dt);
     report.subSteps = countSubSteps(dt);
     std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
@@ -68,6 +79,12 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
         keepTouching(subStep);
     }
     lastTimeStep_ = dt;
+    lasting_ = meanOfContacts(dt);
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        lasting_.force[i] = lastingPart(lasting_.force[i], before.force[i]);
+        lasting_.torque[i] = lastingPart(lasting_.torque[i], before.torque[i]);
+    }
 
     const Stopwatch watch;
     measureOverlaps(report);
@@ -96,6 +113,19 @@ void ContactDynamics<D>::Implementation::foresee(const std::vector<double>& mass
     contactImpulse_ = trial.contactImpulse_;
     contactSpinImpulse_ = trial.contactSpinImpulse_;
     lastTimeStep_ = trial.lastTimeStep_;
+    lasting_ = meanOfContacts(dt);
+}
+
+template <int D>
+Wrenches<D> ContactDynamics<D>::Implementation::meanOfContacts(double dt) const
+{
+    Wrenches<D> mean{contactImpulse_, contactSpinImpulse_};
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        mean.force[i] *= dt > 0 ? 1 / dt : 0;
+        mean.torque[i] *= dt > 0 ? 1 / dt : 0;
+    }
+    return mean;
 }
 
 template <int D>
@@ -178,6 +208,8 @@ template void ContactDynamics<2>::Implementation::foresee(const std::vector<doub
                                                           const Spins<2>&, double);
 template void ContactDynamics<3>::Implementation::foresee(const std::vector<double>&, const Vectors<3>&,
                                                           const Spins<3>&, double);
+template Wrenches<2> ContactDynamics<2>::Implementation::meanOfContacts(double) const;
+template Wrenches<3> ContactDynamics<3>::Implementation::meanOfContacts(double) const;
 template void ContactDynamics<2>::Implementation::measureOverlaps(StepReport&);
 template void ContactDynamics<3>::Implementation::measureOverlaps(StepReport&);
 template double ContactDynamics<2>::Implementation::freeSpeed(std::size_t) const;

@@ -148,8 +148,9 @@ public:
     /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
-    /// Set contactImpulse(), lasting() and lastTimeStep() to what the contacts of a step would leave there if grains had
-    /// these masses [kg], and nothing else: for bodies that have no step behind them.  Collective; arguments and errors of step().
+    /// Set contactImpulse(), lasting() and lastTimeStep() to what the contacts of a step would leave there if grains
+    /// had these masses [kg], and nothing else: for bodies that have no step behind them.  Collective; arguments and
+    /// errors of step().
     void foresee(const std::vector<double>& mass, const Vectors<D>& force, const Spins<D>& torque, double dt);
 
     /// Linear impulse [N s] and angular impulse [N m s] that contacts gave each grain during the last step.

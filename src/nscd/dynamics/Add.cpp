@@ -40,8 +40,11 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     grains_ = std::move(all);
     contactImpulse_.resize(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.resize(grains_.size(), Spin<D>::Zero());
-    lasting_.force.resize(grains_.size(), Vector<D>::Zero());
-    lasting_.torque.resize(grains_.size(), Spin<D>::Zero());
+    for (Wrenches<D>* known : {&lasting_, &earlier_})
+    {
+        known->force.resize(grains_.size(), Vector<D>::Zero());
+        known->torque.resize(grains_.size(), Spin<D>::Zero());
+    }
 
     ambient_.clear();
     measureGrains();

@@ -157,7 +157,7 @@ public:
     const Vectors<D>& contactImpulse() const;
     const Spins<D>& contactSpinImpulse() const;
 
-    /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the step
+    /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the two steps
     /// before, too: what holds it, without bounces and landings.
     const Wrenches<D>& lasting() const;
 

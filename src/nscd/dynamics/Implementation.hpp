@@ -234,7 +234,7 @@ private:
 
     Vectors<D> contactImpulse_;
     Spins<D> contactSpinImpulse_;
-    Wrenches<D> lasting_;
+    Wrenches<D> lasting_, earlier_;   ///< of contacts: see lasting(), and in the step before the last
     double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
 };
 

@@ -102,8 +102,11 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(grains_.temperature, gone);
     drop(contactImpulse_, gone);
     drop(contactSpinImpulse_, gone);
-    drop(lasting_.force, gone);
-    drop(lasting_.torque, gone);
+    for (Wrenches<D>* known : {&lasting_, &earlier_})
+    {
+        drop(known->force, gone);
+        drop(known->torque, gone);
+    }
 
     ambient_.clear();
     measureGrains();

@@ -118,6 +118,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.contactImpulse = contactImpulse_;
     state.contactSpinImpulse = contactSpinImpulse_;
     state.lasting = lasting_;
+    state.earlier = earlier_;
     state.lastTimeStep = lastTimeStep_;
     state.lastSubStep = lastSubStep_;
     state.candidatePosition = candidates_.positions();
@@ -167,7 +168,9 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     contactImpulse_ = std::move(state.contactImpulse);
     contactSpinImpulse_ = std::move(state.contactSpinImpulse);
     lastTimeStep_ = state.lastTimeStep;
-    lasting_ = state.lasting.force.empty() ? meanOfContacts(lastTimeStep_) : std::move(state.lasting);
+    const bool isOld = state.lasting.force.size() < grains_.size();
+    lasting_ = isOld ? meanOfContacts(lastTimeStep_) : std::move(state.lasting);
+    earlier_ = isOld ? lasting_ : std::move(state.earlier);
     lastSubStep_ = state.lastSubStep;
     measureGrains();
     restoreWalls(state);

@@ -348,6 +348,8 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
     out.write("lastingForce", toTable(s.lasting.force), "N");
     out.write("lastingTorque", toTable(s.lasting.torque), "N m");
+    out.write("earlierForce", toTable(s.earlier.force), "N");
+    out.write("earlierTorque", toTable(s.earlier.torque), "N m");
     out.write("candidatePosition", toTable(s.candidatePosition), "m");
     out.write("candidateOrientation", toTable<D>(s.candidateOrientation), D == 2 ? "rad" : "1");
     out.write("candidateReach", toColumn<double>(s.candidateReach.ofGrain), "m");
@@ -423,6 +425,7 @@ State<D> readState(const std::string& file)
     if (in.contains("lastingForce"))
     {
         s.lasting = {vectors("lastingForce"), spins("lastingTorque")};
+        s.earlier = {vectors("earlierForce"), spins("earlierTorque")};
     }
     s.candidatePosition = vectors("candidatePosition");
     s.candidateOrientation = orientations("candidateOrientation");

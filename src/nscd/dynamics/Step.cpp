@@ -82,9 +82,10 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     lasting_ = meanOfContacts(dt);
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        lasting_.force[i] = lastingPart(lasting_.force[i], before.force[i]);
-        lasting_.torque[i] = lastingPart(lasting_.torque[i], before.torque[i]);
+        lasting_.force[i] = lastingPart(lastingPart(lasting_.force[i], before.force[i]), earlier_.force[i]);
+        lasting_.torque[i] = lastingPart(lastingPart(lasting_.torque[i], before.torque[i]), earlier_.torque[i]);
     }
+    earlier_ = before;
 
     const Stopwatch watch;
     measureOverlaps(report);
@@ -113,7 +114,7 @@ void ContactDynamics<D>::Implementation::foresee(const std::vector<double>& mass
     contactImpulse_ = trial.contactImpulse_;
     contactSpinImpulse_ = trial.contactSpinImpulse_;
     lastTimeStep_ = trial.lastTimeStep_;
-    lasting_ = meanOfContacts(dt);
+    lasting_ = earlier_ = meanOfContacts(dt);
 }
 
 template <int D>

@@ -128,13 +128,15 @@ void expectLandingNotToLast()
     const double weight = g * dynamics.grains().mass[0];
     const auto held = [&](int i) { return dynamics.lasting().force[i][D - 1] / weight; };
 
-    fall<D>(dynamics, up<D>(-g), length);
-    EXPECT_EQ(held(0), 0);
+    for (int step = 0; step < 2; ++step)
+    {
+        fall<D>(dynamics, up<D>(-g), length);
+        EXPECT_EQ(held(0), 0);
+        EXPECT_GT(dynamics.contactImpulse()[1][D - 1], 100 * weight * length);
+        EXPECT_EQ(held(1), 0);
+    }
     fall<D>(dynamics, up<D>(-g), length);
     EXPECT_NEAR(held(0), 1, 1e-6);
-    EXPECT_GT(dynamics.contactImpulse()[1][D - 1], 100 * weight * length);
-    EXPECT_EQ(held(1), 0);
-    fall<D>(dynamics, up<D>(-g), length);
     EXPECT_NEAR(held(1), 1, 1e-6);
 }
 

@@ -157,8 +157,8 @@ public:
     const Vectors<D>& contactImpulse() const;
     const Spins<D>& contactSpinImpulse() const;
 
-    /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the two steps
-    /// before, too: what holds it, without bounces and landings.
+    /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the two
+    /// steps before, too: what holds it, without bounces and landings.
     const Wrenches<D>& lasting() const;
 
     /// Length of the last step [s]; 0 before the first.

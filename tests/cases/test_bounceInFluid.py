@@ -10,12 +10,15 @@ from grain_box import control, grain_box, replace
 GRAINS = "constant/grainProperties"
 
 
-def rebound(clone, radius, height, speed, delta_t, end, cells=10, density=2500, name=None):
+def rebound(
+    clone, radius, height, speed, delta_t, end, cells=10, density=2500, name=None, resolved=""
+):
     """Speeds up of a disc in each step after its bounce on the floor, without weight."""
     start = [(0.05, height)]
     case = grain_box(clone, start, radius, velocity=[(0, -speed)], name=name)
     path = case.path / GRAINS
     text = re.sub(r"(friction +0\.\d);", r"\1; restitution 0.9;", path.read_text())
+    text = text.replace("\ncoupling\n{", f"\ncoupling\n{{\n    {resolved}")
     path.write_text(text.replace("density 2500", f"density {density}"))
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
     case.run("blockMesh")
@@ -43,3 +46,16 @@ def test_resolved_disc_goes_on_as_it_bounced(clone):
     # The fluid that it set in motion slows it down
     assert np.all(np.diff(up[:8]) < 0)
     assert up[1] > 0.6 * up[0]
+
+
+def test_rebound_of_cut_cells_does_not_depend_on_the_step(clone):
+    """Of 8 cells; locked ones have a tenth of it with the shorter steps."""
+    cut = "resolvedGrains { type cutCells; }"
+    tops = [
+        rebound(
+            clone, 0.01, 0.015, 0.3, delta_t, 0.05, 40, 8000, name=str(delta_t), resolved=cut
+        ).max()
+        for delta_t in (2e-3, 1e-3, 5e-4)
+    ]
+    np.testing.assert_allclose(tops, tops[-1], rtol=0.02)
+    assert tops[-1] > 0.6 * 0.3

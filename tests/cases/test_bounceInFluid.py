@@ -5,15 +5,16 @@
 import re
 
 import numpy as np
-from grain_box import control, grain_box, replace
+import pytest
+from grain_box import assert_same_grains, control, grain_box, ledger, replace
 
 GRAINS = "constant/grainProperties"
 
 
-def rebound(
+def bouncing(
     clone, radius, height, speed, delta_t, end, cells=10, density=2500, name=None, resolved=""
 ):
-    """Speeds up of a disc in each step after its bounce on the floor, without weight."""
+    """A disc that comes to the floor, without weight."""
     start = [(0.05, height)]
     case = grain_box(clone, start, radius, velocity=[(0, -speed)], name=name)
     path = case.path / GRAINS
@@ -25,8 +26,19 @@ def rebound(
     replace(case, "constant/transportProperties", "1e-4", "1e-5")
     replace(case, "constant/g", "-9.81", "0")
     control(case, deltaT=delta_t, endTime=end, writeInterval=1)
+    return case
+
+
+def speeds(case):
+    """Of the disc upwards, in each step."""
+    return np.array([case.grains(time)["velocity"][0, 1] for time in case.times[1:]])
+
+
+def rebound(*args, **options):
+    """Speeds up in each step after the bounce."""
+    case = bouncing(*args, **options)
     case.run("grainFoam")
-    up = np.array([case.grains(time)["velocity"][0, 1] for time in case.times[1:]])
+    up = speeds(case)
     return up[np.argmax(up > 0) :]
 
 
@@ -40,22 +52,64 @@ def test_rebound_does_not_depend_on_the_step(clone):
 
 
 def test_resolved_disc_goes_on_as_it_bounced(clone):
-    """It had 0.158, 0.019 and 0.066 m/s in the steps after the bounce."""
+    """0.205, then 0.118 m/s: the fluid around it took it back, as no wall had turned that."""
     up = rebound(clone, 0.01, 0.016, 0.3, 1e-3, 0.04, cells=50, density=8000)
     assert len(up) > 5
-    # The fluid that it set in motion slows it down
-    assert np.all(np.diff(up[:8]) < 0)
-    assert up[1] > 0.6 * up[0]
+    assert np.all(np.abs(up[1:6] / up[0] - 1) < 0.1)
 
 
-def test_rebound_of_cut_cells_does_not_depend_on_the_step(clone):
-    """Of 8 cells; locked ones have a tenth of it with the shorter steps."""
-    cut = "resolvedGrains { type cutCells; }"
-    tops = [
-        rebound(
-            clone, 0.01, 0.015, 0.3, delta_t, 0.05, 40, 8000, name=str(delta_t), resolved=cut
-        ).max()
-        for delta_t in (2e-3, 1e-3, 5e-4)
-    ]
-    np.testing.assert_allclose(tops, tops[-1], rtol=0.02)
-    assert tops[-1] > 0.6 * 0.3
+@pytest.mark.parametrize("density", [8000, 1200])
+@pytest.mark.parametrize("method", ["locked", "cutCells"])
+def test_rebound_of_resolved_discs_does_not_depend_on_the_step(clone, method, density):
+    """Of 8 cells, 8 ms after it: locked ones had a tenth of it with the shorter steps, as the
+    last half cell let no fluid out, and light ones lost it to the fluid around them."""
+    resolved = f"resolvedGrains {{ type {method}; }}"
+    speed = 0.3 if density > 2000 else 0.4
+    last = []
+    for delta_t in (2e-3, 1e-3, 5e-4):
+        disc = (0.01, 0.015, speed, delta_t, 0.05, 40, density)
+        up = rebound(clone, *disc, name=str(delta_t), resolved=resolved)
+        last.append(up[round(0.008 / delta_t)])
+    # As measured: 5 and 14 %
+    np.testing.assert_allclose(last, last[-1], rtol=0.06 if density > 2000 else 0.15)
+    # It has lost a part of its speed to the fluid before the bounce, and e = 0.9 of the rest
+    assert min(last) > (0.6 if density > 2000 else 0.2) * speed
+    assert max(last) < 0.9 * speed
+
+
+@pytest.mark.parallel
+@pytest.mark.parametrize("method", ["locked", "cutCells"])
+def test_what_a_bounce_owes_is_kept(clone, method):
+    """Restarted in the middle of it, and on two ranks; the momentum of the disc closes."""
+    resolved = f"resolvedGrains {{ type {method}; }}"
+    disc = (0.01, 0.013, 0.3, 1e-3, 0.025, 40, 2500)
+    whole = bouncing(clone, *disc, name="whole", resolved=resolved)
+    whole.run("grainFoam")
+    up = speeds(whole)
+    bounce = int(np.argmax(up > 0))
+    assert 3 < bounce < len(up) - 5
+    assert ledger(whole)["grainMomentumError"].max() < 1e-12
+
+    parts = bouncing(clone, *disc, name="parts", resolved=resolved)
+    control(parts, endTime=whole.times[bounce + 1])
+    parts.run("grainFoam")
+    control(parts, endTime=0.025)
+    parts.run("grainFoam")
+    assert_same_grains(whole, parts)
+
+    ranks = bouncing(clone, *disc, name="ranks", resolved=resolved)
+    ranks.run("decomposePar")
+    ranks.parallel("grainFoam", 2)
+    assert ranks.grains("0.025")["velocity"][0, 1] == pytest.approx(up[-1], rel=1e-6)
+
+
+def test_cells_between_grains_at_rest_stay_locked(clone):
+    """They are left to the fluid only while grains approach or leave each other."""
+    case = grain_box(clone, [(0.05, 0.01), (0.05, 0.03)], 0.01)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+    case.run("blockMesh")
+    control(case, deltaT=1e-3, endTime=0.01, writeInterval=10)
+    case.run("grainFoam")
+    # A hundredth of g dt, which a fluid that could leave would get
+    assert np.abs(case.field("U", "0.01")).max() < 1e-2 * 9.81e-3
+    assert np.abs(case.grains("0.01")["velocity"]).max() < 1e-4 * 9.81e-3

@@ -100,6 +100,7 @@ void Foam::grainFluidExchange::moveGrains
     received_ = deltaT*sum(force);
     openings_.extendForce(*resolved_, force, torque);
 
+    grains_.entrain(resolved_->entrained(grains_, weight_));
     unresolved_.keep(cellGradP);
     grains_.move(force, torque, deltaT);
     setEps();

@@ -123,6 +123,7 @@ void Foam::resolvedGrains::lockCells()
     }
     grain_.correctBoundaryConditions();
     locked_.correctBoundaryConditions();
+    openGaps();
 
     // One of few cells, or in slender ones, may have the centre of none
     scalarField cells(grains_.size(), Zero);

@@ -44,6 +44,35 @@ Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
 }
 
 
+Foam::scalarField Foam::resolvedTerm::entrained
+(
+    const grainSystem& grains,
+    const buoyancy& weight
+) const
+{
+    // Over the fluid displaced by a sphere, and a disc, that touches a plane: 0.80
+    // and 2.29.  As seen in cells, and not more: it would make the grain faster.
+    constexpr scalar ofSphere = 0.75, ofDisc = 2;
+
+    scalarField result(grains.size(), Zero);
+    if (!isActive() || grains.motion().isFixed())
+    {
+        return result;
+    }
+    const scalarField displaced(weight.displaced());
+    forAll(result, i)
+    {
+        if (isResolved(i))
+        {
+            result[i] =
+                (grains.mesh().nGeometricD() == 2 ? ofDisc : ofSphere)
+               *displaced[i]/grains.motion().density(i);
+        }
+    }
+    return result;
+}
+
+
 void Foam::resolvedTerm::predict
 (
     fvVectorMatrix& UEqn,

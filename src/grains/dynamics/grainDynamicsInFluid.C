@@ -99,20 +99,39 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
         return {Zero, Zero};
     }
 
-    const nscd::Wrenches<D>& lasting = dynamics().lasting();
-    const nscd::Spin<D> spin
-    (
-        nscd::spinOf<D>
-        (
-            grains(), graini, grains().orientation[graini],
-            lasting.torque[graini]
-        )
-    );
-    return
+    const auto change = [&](const nscd::Wrenches<D>& given, const scalar time)
     {
-        deltaT*space().toSpace(lasting.force[graini])/grains().mass[graini],
-        deltaT*space().spinInSpace(spin)
+        const nscd::Spin<D> spin
+        (
+            nscd::spinOf<D>
+            (
+                grains(), graini, grains().orientation[graini],
+                given.torque[graini]
+            )
+        );
+        return grainMotion::twist
+        {
+            time*space().toSpace(given.force[graini])/grains().mass[graini],
+            time*space().spinInSpace(spin)
+        };
     };
+    const grainMotion::twist lasting(change(dynamics().lasting(), deltaT));
+    const grainMotion::twist owed(change(dynamics().owed(), 1));
+    return {lasting.velocity + owed.velocity, lasting.spin + owed.spin};
+}
+
+
+template<int D>
+void Foam::grainDynamics<D>::entrain(const scalarField& ratio)
+{
+    if (!isFixed())
+    {
+        const scalarField heaviness(1 + ratio);
+        dynamics_->setHeaviness
+        (
+            std::vector<double>(heaviness.begin(), heaviness.end())
+        );
+    }
 }
 
 
@@ -174,6 +193,8 @@ template void Foam::grainDynamics<3>::resize
 (
     const scalarField&, const scalarField&
 );
+template void Foam::grainDynamics<2>::entrain(const scalarField&);
+template void Foam::grainDynamics<3>::entrain(const scalarField&);
 template void Foam::grainDynamics<2>::move
 (
     const vectorField&, const vectorField&, const scalar

@@ -15,7 +15,7 @@ Foam::grainTally Foam::grainDynamics<D>::tally(const label i) const
     result.number = 1;
     result.mass = m;
     result.volume = m/properties_.materials().density(material(i));
-    result.momentum = m*velocity(i);
+    result.momentum = m*velocity(i) + space().toSpace(dynamics().owed().force[i]);
     result.heat = heat_ ? heat_->heat(grains(), i) : 0;
     return result;
 }

@@ -40,7 +40,8 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     grains_ = std::move(all);
     contactImpulse_.resize(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.resize(grains_.size(), Spin<D>::Zero());
-    for (Wrenches<D>* known : {&lasting_, &earlier_})
+    heaviness_.resize(grains_.size(), 1);
+    for (Wrenches<D>* known : {&owed_, &lasting_, &earlier_})
     {
         known->force.resize(grains_.size(), Vector<D>::Zero());
         known->torque.resize(grains_.size(), Spin<D>::Zero());

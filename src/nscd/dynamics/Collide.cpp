@@ -58,7 +58,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
-        flyers_[k].body = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
+        flyers_[k].body = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
         launches_[k].push = free_.velocity[i] - grains_.velocity[i];
         launches_[k].drift = grains_.position[i] - candidates_.positions()[i];
         launches_[k].round = grains_.shape[i] < 0;
@@ -69,7 +69,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         }
         if (levered_)
         {
-            data_.turning[k] = turningOf(grains_, i);
+            data_.turning[k] = turningOf(grains_, i, heaviness_[i]);
         }
     }
     std::size_t k = grains_.size();
@@ -206,8 +206,8 @@ void ContactDynamics<D>::Implementation::land(double dt)
         const double r = grains_.radius[i];
         const Vector<D> change = f.body.velocity - free_.velocity[i];
         const Spin<D> spinChange = toSpin(Tangent<D>(f.body.surfaceSpeed - surfaceSpeed<D>(free_.spin[i], r))) / r;
-        contactImpulse_[i] += grains_.mass[i] * change;
-        contactSpinImpulse_[i] += angularMomentum<D>(grains_, i, spinChange);
+        contactImpulse_[i] += heaviness_[i] * grains_.mass[i] * change;
+        contactSpinImpulse_[i] += heaviness_[i] * angularMomentum<D>(grains_, i, spinChange);
         free_.velocity[i] = f.body.velocity;
         free_.spin[i] += spinChange;
         grains_.position[i] += f.offset;

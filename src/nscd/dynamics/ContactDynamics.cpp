@@ -115,6 +115,18 @@ const Wrenches<D>& ContactDynamics<D>::lasting() const
 }
 
 template <int D>
+const Wrenches<D>& ContactDynamics<D>::owed() const
+{
+    return implementation_->owed();
+}
+
+template <int D>
+void ContactDynamics<D>::setHeaviness(std::vector<double> heaviness)
+{
+    implementation_->setHeaviness(std::move(heaviness));
+}
+
+template <int D>
 double ContactDynamics<D>::lastTimeStep() const
 {
     return implementation_->lastTimeStep();

@@ -148,6 +148,11 @@ public:
     /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
+    /// From now on each grain meets others as if it and its moments of inertia were this many times as heavy, at least
+    /// 1: something moves with it, as the fluid around it does.  What contacts give to that is owed().  Until grains
+    /// come or a state is loaded; throws std::invalid_argument for another number of values or one below 1.
+    void setHeaviness(std::vector<double> heaviness);
+
     /// Set contactImpulse(), lasting() and lastTimeStep() to what the contacts of a step would leave there if grains
     /// had these masses [kg], and nothing else: for bodies that have no step behind them.  Collective; arguments and
     /// errors of step().
@@ -160,6 +165,10 @@ public:
     /// Force [N] and torque [N m] that contacts gave each grain in the last step, as far as it had them in the two
     /// steps before, too: what holds it, without bounces and landings.
     const Wrenches<D>& lasting() const;
+
+    /// Of the impulse and angular impulse of contacts in the last step, without the lasting force and torque of before,
+    /// the part of what moves with each grain [N s, N m s].  The grain gets it in the next step.
+    const Wrenches<D>& owed() const;
 
     /// Length of the last step [s]; 0 before the first.
     double lastTimeStep() const;

@@ -29,7 +29,8 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
     validate<D>(settings_, walls_);
     contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
-    lasting_ = earlier_ = {contactImpulse_, contactSpinImpulse_};
+    lasting_ = earlier_ = owed_ = {contactImpulse_, contactSpinImpulse_};
+    heaviness_.assign(grains_.size(), 1);
     measureGrains();
     measureWalls();
     listAnew(reachAtRest(), {});
@@ -176,6 +177,25 @@ void ContactDynamics<D>::Implementation::setAmbient(std::vector<double> ambient)
     arrangement_.surround(ambient_, members_, candidates_);
 }
 
+template <int D>
+void ContactDynamics<D>::Implementation::setHeaviness(std::vector<double> heaviness)
+{
+    if (heaviness.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but the heaviness of " +
+                                    std::to_string(heaviness.size()));
+    }
+    for (std::size_t i = 0; i < heaviness.size(); ++i)
+    {
+        if (!(heaviness[i] >= 1 && std::isfinite(heaviness[i])))
+        {
+            throw std::invalid_argument("grain " + std::to_string(grains_.id[i]) + ": heaviness " +
+                                        std::to_string(heaviness[i]) + " is not finite and at least 1");
+        }
+    }
+    heaviness_ = std::move(heaviness);
+}
+
 template ContactDynamics<2>::Implementation::Implementation(Grains<2>, Walls<2>, ContactTable, Settings, MPI_Comm,
                                                             std::vector<WallBody<2>>);
 template ContactDynamics<3>::Implementation::Implementation(Grains<3>, Walls<3>, ContactTable, Settings, MPI_Comm,
@@ -194,6 +214,8 @@ template void ContactDynamics<2>::Implementation::setTemperature(std::vector<dou
 template void ContactDynamics<3>::Implementation::setTemperature(std::vector<double>);
 template void ContactDynamics<2>::Implementation::setWallNames(WallNames);
 template void ContactDynamics<3>::Implementation::setWallNames(WallNames);
+template void ContactDynamics<2>::Implementation::setHeaviness(std::vector<double>);
+template void ContactDynamics<3>::Implementation::setHeaviness(std::vector<double>);
 template void ContactDynamics<2>::Implementation::setAmbient(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setAmbient(std::vector<double>);
 

@@ -25,6 +25,7 @@ public:
     const Vectors<D>& contactImpulse() const { return contactImpulse_; }
     const Spins<D>& contactSpinImpulse() const { return contactSpinImpulse_; }
     const Wrenches<D>& lasting() const { return lasting_; }
+    const Wrenches<D>& owed() const { return owed_; }
     double lastTimeStep() const { return lastTimeStep_; }
     double worstOverlap() const { return worstOverlap_; }
 
@@ -42,6 +43,7 @@ public:
     void setWallNames(WallNames names);
 
     void setAmbient(std::vector<double> ambient);
+    void setHeaviness(std::vector<double> heaviness);
     void remove(const std::vector<bool>& gone);
     void add(const Grains<D>& more);
     void resize(std::vector<double> radius, std::vector<double> mass);
@@ -84,7 +86,20 @@ private:
     /// What contacts gave each grain over a time [s], on average.
     Wrenches<D> meanOfContacts(double dt) const;
 
-    void setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt);
+    /// Of what contacts give a grain the part of what moves with it.
+    double owedPart(std::size_t i) const;
+
+    /// Inverse of the mass with which a grain meets others [1/kg].
+    double inverseMass(std::size_t i) const { return 1 / (grains_.mass[i] * heaviness_[i]); }
+
+    /// Forces and torques of a step with those that make up for the heaviness: what is owed to the grains, and what
+    /// their contacts give to all that moves with them while they last.
+    Wrenches<D> withOwed(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
+
+    /// Set owed_ by the contacts of a step of length dt.
+    void keepOwed(double dt);
+
+    void setFreeMotion(const Wrenches<D>& given, double dt);
 
     /// Of a grain's fastest point without contacts; the surface of a disc or sphere is where it is however it turns.
     double freeSpeed(std::size_t i) const;
@@ -234,6 +249,8 @@ private:
 
     Vectors<D> contactImpulse_;
     Spins<D> contactSpinImpulse_;
+    std::vector<double> heaviness_;   ///< of each grain: see setHeaviness()
+    Wrenches<D> owed_;   ///< impulses [N s, N m s]: see owed()
     Wrenches<D> lasting_, earlier_;   ///< of contacts: see lasting(), and in the step before the last
     double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
 };

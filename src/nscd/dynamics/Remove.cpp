@@ -102,7 +102,8 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(grains_.temperature, gone);
     drop(contactImpulse_, gone);
     drop(contactSpinImpulse_, gone);
-    for (Wrenches<D>* known : {&lasting_, &earlier_})
+    drop(heaviness_, gone);
+    for (Wrenches<D>* known : {&owed_, &lasting_, &earlier_})
     {
         drop(known->force, gone);
         drop(known->torque, gone);

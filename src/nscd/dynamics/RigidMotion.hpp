@@ -108,11 +108,11 @@ inline double product(const Orientation<3>& orientation, const Spin<3>& inertia,
     return sum;
 }
 
-/// How a grain turns, for the contact problem.
+/// How a grain that is as many times as heavy turns, for the contact problem.
 template <int D>
-Turning<D> turningOf(const Grains<D>& grains, std::size_t i)
+Turning<D> turningOf(const Grains<D>& grains, std::size_t i, double heaviness = 1)
 {
-    const Spin<D> inverse = (grains.mass[i] * shapeInertia(grains, i)).cwiseInverse();
+    const Spin<D> inverse = (heaviness * grains.mass[i] * shapeInertia(grains, i)).cwiseInverse();
     return {grains.radius[i], grains.shape[i] < 0 ? SpinMatrix<D>(inverse.asDiagonal())
                                                   : inSpace(grains.orientation[i], inverse)};
 }

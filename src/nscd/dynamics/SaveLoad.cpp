@@ -117,6 +117,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.materials = table_.names();
     state.contactImpulse = contactImpulse_;
     state.contactSpinImpulse = contactSpinImpulse_;
+    state.owed = owed_;
     state.lasting = lasting_;
     state.earlier = earlier_;
     state.lastTimeStep = lastTimeStep_;
@@ -171,6 +172,10 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     const bool isOld = state.lasting.force.size() < grains_.size();
     lasting_ = isOld ? meanOfContacts(lastTimeStep_) : std::move(state.lasting);
     earlier_ = isOld ? lasting_ : std::move(state.earlier);
+    owed_ = std::move(state.owed);
+    owed_.force.resize(grains_.size(), Vector<D>::Zero());
+    owed_.torque.resize(grains_.size(), Spin<D>::Zero());
+    heaviness_.assign(grains_.size(), 1);
     lastSubStep_ = state.lastSubStep;
     measureGrains();
     restoreWalls(state);

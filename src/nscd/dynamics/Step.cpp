@@ -62,7 +62,8 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
 
     StepReport report;
     const Wrenches<D> before = meanOfContacts(lastTimeStep_);
-    setFreeMotion(force, torque, dt);
+    const Wrenches<D> given = withOwed(force, torque, dt);
+    setFreeMotion(given, dt);
     report.subSteps = countSubSteps(dt);
     std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
     std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
@@ -72,13 +73,14 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     {
         if (report.subSteps > 1)
         {
-            setFreeMotion(force, torque, subStep);
+            setFreeMotion(given, subStep);
             requireReach(subStep * std::max(free_.largestSpeed, largestWallSpeed(subStep)), subStep);
         }
         advance(subStep, report);
         keepTouching(subStep);
     }
     lastTimeStep_ = dt;
+    keepOwed(dt);
     lasting_ = meanOfContacts(dt);
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
@@ -151,15 +153,44 @@ void ContactDynamics<D>::Implementation::requireReach(double farthest, double dt
 }
 
 template <int D>
-void ContactDynamics<D>::Implementation::setFreeMotion(const Vectors<D>& force, const Spins<D>& torque, double dt)
+double ContactDynamics<D>::Implementation::owedPart(std::size_t i) const
+{
+    return 1 - 1 / heaviness_[i];
+}
+
+template <int D>
+Wrenches<D> ContactDynamics<D>::Implementation::withOwed(const Vectors<D>& force, const Spins<D>& torque,
+                                                              double dt) const
+{
+    Wrenches<D> given{force, torque};
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        given.force[i] += owed_.force[i] / dt + owedPart(i) * lasting_.force[i];
+        given.torque[i] += owed_.torque[i] / dt + owedPart(i) * lasting_.torque[i];
+    }
+    return given;
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::keepOwed(double dt)
+{
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+    {
+        owed_.force[i] = owedPart(i) * (contactImpulse_[i] - dt * lasting_.force[i]);
+        owed_.torque[i] = owedPart(i) * (contactSpinImpulse_[i] - dt * lasting_.torque[i]);
+    }
+}
+
+template <int D>
+void ContactDynamics<D>::Implementation::setFreeMotion(const Wrenches<D>& given, double dt)
 {
     free_.velocity.resize(grains_.size());
     free_.spin.resize(grains_.size());
     free_.largestSpeed = 0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        free_.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * force[i];
-        free_.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * torque[i]);
+        free_.velocity[i] = grains_.velocity[i] + (dt / grains_.mass[i]) * given.force[i];
+        free_.spin[i] = grains_.spin[i] + spinOf<D>(grains_, i, grains_.orientation[i], dt * given.torque[i]);
         free_.largestSpeed = std::max(free_.largestSpeed, freeSpeed(i));
     }
 }

@@ -128,10 +128,10 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
-        bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / grains_.mass[i]};
+        bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
         if (levered_)
         {
-            data_.turning[k] = turningOf(grains_, static_cast<int>(i));
+            data_.turning[k] = turningOf(grains_, i, heaviness_[i]);
         }
     }
     for (const WallBody<D>& wall : wallBodies_)
@@ -152,11 +152,11 @@ void ContactDynamics<D>::Implementation::move(double dt, StepReport& report)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
-        const Vector<D> impulse = grains_.mass[i] * (bodies_[k].velocity - free_.velocity[i]);
+        const Vector<D> impulse = heaviness_[i] * grains_.mass[i] * (bodies_[k].velocity - free_.velocity[i]);
         const Spin<D> spinChange =
             toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free_.spin[i], grains_.radius[i]))) /
             grains_.radius[i];
-        const Spin<D> spinImpulse = angularMomentum<D>(grains_, i, spinChange);
+        const Spin<D> spinImpulse = heaviness_[i] * angularMomentum<D>(grains_, i, spinChange);
         const Spin<D> spin = free_.spin[i] + spinChange;
         report.contactWork += 0.5 * impulse.dot(free_.velocity[i] + bodies_[k].velocity) +
                               0.5 * spinImpulse.dot(free_.spin[i] + spin);

@@ -52,18 +52,18 @@ TEST(SparseProblem, IsTheSumOfItsEntriesInAnyOrder)
 
 TEST(SparseProblem, RefusesWhatIsNoProblemAndNamesTheContact)
 {
-    const double infinity = std::numeric_limits<double>::infinity();
+    const double endless = std::numeric_limits<double>::infinity();
     const Vectors<2> q{{0, 0}, {0, 0}};
     const std::vector<double> friction{0.1, 0.2};
     const Entries good{{0, 0, 1}, {1, 1, 1}, {2, 2, 1}, {3, 3, 1}};
     EXPECT_EQ(refusal(q, friction, good), "");
     EXPECT_EQ(refusal(q, {0.1}, good), "1 coefficients of friction for 2 contacts");
     EXPECT_EQ(refusal(q, {0.1, -1}, good), "contact 1: the coefficient of friction -1 is not 0 or more");
-    EXPECT_EQ(refusal({{0, 0}, {0, infinity}}, friction, good), "contact 1: q is not finite");
+    EXPECT_EQ(refusal({{0, 0}, {0, endless}}, friction, good), "contact 1: q is not finite");
     EXPECT_EQ(refusal(q, friction, unit), "contact 1: W_NN is not positive");
     EXPECT_EQ(refusal(q, friction, {{0, 0, -1}, {2, 2, 1}}), "contact 0: W_NN is not positive");
     EXPECT_EQ(refusal(q, friction, {{0, 0, 1}, {2, 0, 1}}), "contact 1: W_NN is not positive");
-    EXPECT_EQ(refusal(q, friction, {{0, 0, infinity}}), "contact 0: W is not finite");
+    EXPECT_EQ(refusal(q, friction, {{0, 0, endless}}), "contact 0: W is not finite");
     EXPECT_EQ(refusal(q, friction, {{0, 4, 1}}), "an entry in row 0 and column 4 of W, which is 4 x 4");
     EXPECT_EQ(refusal(q, friction, {{-1, 0, 1}}), "an entry in row -1 and column 0 of W, which is 4 x 4");
 }

@@ -415,6 +415,11 @@ TABLE = [
         swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ lift { one { type Saffman; } }"),
         [GRAINS, "Saffman", "Magnus SaffmanMei"],
     ),
+    (
+        "lubrication",
+        swap(GRAINS, "\ncoupling\n{", "\ncoupling\n{ lubrication { type Davis; }"),
+        [GRAINS, "'roughness'"],
+    ),
     ("gap", swap(FLUID, "rho ", "HeleShaw { gap 0; }\nrho "), [FLUID, "'gap'", "value 0", "> 0"]),
     ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
     (

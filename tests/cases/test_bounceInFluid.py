@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from grain_box import assert_same_grains, control, grain_box, ledger, replace
+from grain_box import assert_same_grains, control, grain_box, ledger, replace, tracks
 
 GRAINS = "constant/grainProperties"
 
@@ -113,3 +113,26 @@ def test_cells_between_grains_at_rest_stay_locked(clone):
     # A hundredth of g dt, which a fluid that could leave would get
     assert np.abs(case.field("U", "0.01")).max() < 1e-2 * 9.81e-3
     assert np.abs(case.grains("0.01")["velocity"]).max() < 1e-4 * 9.81e-3
+
+
+@pytest.mark.parametrize("law", ["Legendre", "Davis"])
+@pytest.mark.parametrize("nu", ["1e-5", "2.5e-5"])
+def test_lubrication_takes_its_part_of_a_rebound(clone, law, nu):
+    """Discs of a quarter of a cell, with the drag of the fluid before and after."""
+    entries = {"Legendre": "type Legendre;", "Davis": "type Davis; roughness 1e-3;"}[law]
+    wet = f"lubrication {{ {entries} }} undisturbedFlow {{ type none; }}"
+    case = bouncing(clone, 0.00125, 0.003, 0.5, 1e-5, 0.004, density=8000, resolved=wet)
+    replace(case, "constant/transportProperties", "1e-5", nu)
+    control(case, writeInterval=10)
+    case.run("grainFoam")
+    velocity = tracks(case)[:, 6]
+    bounce = int(np.argmax(velocity > 0))
+    before = -velocity[bounce - 1]
+    stokes = 8 * before * 0.0025 / (9 * float(nu))
+    if law == "Legendre":
+        expected = 0.9 * np.exp(-35 / stokes)
+    else:
+        expected = 0.9 - 1.9 * np.log(1e3) / stokes
+    assert 0.05 < expected < 0.85
+    # Drag of a part of a step
+    assert velocity[bounce] / before == pytest.approx(expected, rel=0.01)

@@ -41,7 +41,9 @@ Foam::grainFluidExchange::grainFluidExchange
 :
     grains_(grains),
     mesh_(grains.mesh()),
+    aroundGrains_(aroundGrains),
     weight_(grains, aroundGrains),
+    lubrication_(lubricationLaw::New(grains.motion().coupling())),
     eps_
     (
         IOobject

@@ -7,6 +7,7 @@
 
 #include "combineOverRanks.H"
 #include "fvcFlux.H"
+#include "meanOverGrains.H"
 
 Foam::vector Foam::grainFluidExchange::momentumOfCells
 (
@@ -71,6 +72,23 @@ void Foam::grainFluidExchange::foreseeContacts(const volVectorField& cellU)
 }
 
 
+void Foam::grainFluidExchange::setImpacts()
+{
+    grains_.entrain(resolved_->entrained(grains_, weight_));
+    if (lubrication_)
+    {
+        grains_.lubricate
+        (
+            [this](const scalar e, const scalar St)
+            {
+                return lubrication_->restitution(e, St);
+            },
+            meanOverGrains(grains_, aroundGrains_.mu().primitiveField())
+        );
+    }
+}
+
+
 void Foam::grainFluidExchange::moveGrains
 (
     const volVectorField& cellU,
@@ -100,7 +118,7 @@ void Foam::grainFluidExchange::moveGrains
     received_ = deltaT*sum(force);
     openings_.extendForce(*resolved_, force, torque);
 
-    grains_.entrain(resolved_->entrained(grains_, weight_));
+    setImpacts();
     unresolved_.keep(cellGradP);
     grains_.move(force, torque, deltaT);
     setEps();

@@ -5,6 +5,7 @@
 
 #include "grainDynamics.H"
 
+#include "mathematicalConstants.H"
 #include "nscd/shape/Members.hpp"
 #include "planarCells.H"
 #include "spatialCells.H"
@@ -122,6 +123,33 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
 
 
 template<int D>
+void Foam::grainDynamics<D>::lubricate
+(
+    const std::function<scalar(scalar, scalar)>& restitution,
+    const scalarField& viscosity
+)
+{
+    if (isFixed())
+    {
+        return;
+    }
+    std::vector<double> ofMass(viscosity.begin(), viscosity.end());
+    if constexpr (D == 2)
+    {
+        // A disc has the film of a sphere, and the mass of a rod as long as the
+        // mesh is deep
+        for (label i = 0; i < size(); ++i)
+        {
+            ofMass[i] *=
+                0.75*grains().mass[i]
+               /(constant::mathematical::pi*density(i)*pow3(radius(i)));
+        }
+    }
+    dynamics_->setLubrication(restitution, std::move(ofMass));
+}
+
+
+template<int D>
 void Foam::grainDynamics<D>::entrain(const scalarField& ratio)
 {
     if (!isFixed())
@@ -192,6 +220,14 @@ template void Foam::grainDynamics<2>::resize
 template void Foam::grainDynamics<3>::resize
 (
     const scalarField&, const scalarField&
+);
+template void Foam::grainDynamics<2>::lubricate
+(
+    const std::function<scalar(scalar, scalar)>&, const scalarField&
+);
+template void Foam::grainDynamics<3>::lubricate
+(
+    const std::function<scalar(scalar, scalar)>&, const scalarField&
 );
 template void Foam::grainDynamics<2>::entrain(const scalarField&);
 template void Foam::grainDynamics<3>::entrain(const scalarField&);

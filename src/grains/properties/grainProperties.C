@@ -88,7 +88,7 @@ void Foam::grainProperties<D>::check() const
             {
                 "packingRatio", "coarseGraining", "motion", "form", "voidFraction",
                 "drag", "viscosity", "heatTransfer", "addedMass", "lift",
-                "undisturbedFlow", "resolvedGrains"
+                "undisturbedFlow", "resolvedGrains", "lubrication"
             }
         );
     }

@@ -48,6 +48,7 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     }
 
     ambient_.clear();
+    viscosity_.clear();
     measureGrains();
     problem_.clear();
     impacts_.clear();

@@ -61,6 +61,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         flyers_[k].body = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
         launches_[k].push = free_.velocity[i] - grains_.velocity[i];
         launches_[k].drift = grains_.position[i] - candidates_.positions()[i];
+        launches_[k].viscosity = viscosity_.empty() ? 0 : viscosity_[i];
         launches_[k].round = grains_.shape[i] < 0;
         if (!launches_[k].round)
         {

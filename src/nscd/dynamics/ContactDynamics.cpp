@@ -127,6 +127,12 @@ void ContactDynamics<D>::setHeaviness(std::vector<double> heaviness)
 }
 
 template <int D>
+void ContactDynamics<D>::setLubrication(WetRestitution law, std::vector<double> viscosity)
+{
+    implementation_->setLubrication(std::move(law), std::move(viscosity));
+}
+
+template <int D>
 double ContactDynamics<D>::lastTimeStep() const
 {
     return implementation_->lastTimeStep();

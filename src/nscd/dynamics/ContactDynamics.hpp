@@ -6,6 +6,7 @@
 #include "nscd/base/Mpi.hpp"
 #include "nscd/contact/ContactForce.hpp"
 #include "nscd/contact/ContactTable.hpp"
+#include "nscd/impact/WetRestitution.hpp"
 #include "nscd/problem/Solver.hpp"
 #include "nscd/shape/Grains.hpp"
 #include "nscd/walls/WallNames.hpp"
@@ -152,6 +153,11 @@ public:
     /// 1: something moves with it, as the fluid around it does.  What contacts give to that is owed().  Until grains
     /// come or a state is loaded; throws std::invalid_argument for another number of values or one below 1.
     void setHeaviness(std::vector<double> heaviness);
+
+    /// From now on impacts are those in a fluid, of a viscosity around each grain [Pa s], by a law of restitution; of
+    /// two viscosities the mean by the inverse masses counts.  Until grains come or go, or a state is loaded; throws
+    /// std::invalid_argument for another number of values.
+    void setLubrication(WetRestitution law, std::vector<double> viscosity);
 
     /// Set contactImpulse(), lasting() and lastTimeStep() to what the contacts of a step would leave there if grains
     /// had these masses [kg], and nothing else: for bodies that have no step behind them.  Collective; arguments and

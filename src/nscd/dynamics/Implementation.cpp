@@ -196,6 +196,18 @@ void ContactDynamics<D>::Implementation::setHeaviness(std::vector<double> heavin
     heaviness_ = std::move(heaviness);
 }
 
+template <int D>
+void ContactDynamics<D>::Implementation::setLubrication(WetRestitution law, std::vector<double> viscosity)
+{
+    if (viscosity.size() != grains_.size())
+    {
+        throw std::invalid_argument(std::to_string(grains_.size()) + " grains but " +
+                                    std::to_string(viscosity.size()) + " viscosities");
+    }
+    viscosity_ = std::move(viscosity);
+    impacts_.setLubrication(std::move(law));
+}
+
 template ContactDynamics<2>::Implementation::Implementation(Grains<2>, Walls<2>, ContactTable, Settings, MPI_Comm,
                                                             std::vector<WallBody<2>>);
 template ContactDynamics<3>::Implementation::Implementation(Grains<3>, Walls<3>, ContactTable, Settings, MPI_Comm,
@@ -216,6 +228,8 @@ template void ContactDynamics<2>::Implementation::setWallNames(WallNames);
 template void ContactDynamics<3>::Implementation::setWallNames(WallNames);
 template void ContactDynamics<2>::Implementation::setHeaviness(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setHeaviness(std::vector<double>);
+template void ContactDynamics<2>::Implementation::setLubrication(WetRestitution, std::vector<double>);
+template void ContactDynamics<3>::Implementation::setLubrication(WetRestitution, std::vector<double>);
 template void ContactDynamics<2>::Implementation::setAmbient(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setAmbient(std::vector<double>);
 

@@ -44,6 +44,7 @@ public:
 
     void setAmbient(std::vector<double> ambient);
     void setHeaviness(std::vector<double> heaviness);
+    void setLubrication(WetRestitution law, std::vector<double> viscosity);
     void remove(const std::vector<bool>& gone);
     void add(const Grains<D>& more);
     void resize(std::vector<double> radius, std::vector<double> mass);
@@ -249,6 +250,7 @@ private:
 
     Vectors<D> contactImpulse_;
     Spins<D> contactSpinImpulse_;
+    std::vector<double> viscosity_;   ///< of the fluid around each grain [Pa s]; empty for none
     std::vector<double> heaviness_;   ///< of each grain: see setHeaviness()
     Wrenches<D> owed_;   ///< impulses [N s, N m s]: see owed()
     Wrenches<D> lasting_, earlier_;   ///< of contacts: see lasting(), and in the step before the last

@@ -110,6 +110,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     }
 
     ambient_.clear();
+    viscosity_.clear();
     measureGrains();
     problem_.clear();
     impacts_.clear();

@@ -176,6 +176,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     owed_.force.resize(grains_.size(), Vector<D>::Zero());
     owed_.torque.resize(grains_.size(), Spin<D>::Zero());
     heaviness_.assign(grains_.size(), 1);
+    viscosity_.clear();
     lastSubStep_ = state.lastSubStep;
     measureGrains();
     restoreWalls(state);

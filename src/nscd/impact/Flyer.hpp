@@ -30,6 +30,7 @@ struct Launch
     Vector<D> drift = Vector<D>::Zero();  ///< way since candidates were listed [m]
     double turned = 0;                    ///< the same of the surface of what is not round [m]
     bool round = true;
+    double viscosity = 0;                 ///< of the fluid around it; 0 for none [Pa s]
 };
 
 /// How far a flyer that has had this velocity since its last impact is at the time t [s] from where candidates were

@@ -104,9 +104,21 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             item.touching = arrangement_.sumOfRadii(pair);
             item.separation = (details.gap + item.touching) * details.normal;
         }
+        details.viscous = wet_ ? viscousSpeed(item, pair, flyers) : 0;
         items_.push_back(item);
         details_.push_back(details);
     }
+}
+
+template <int D>
+double Impacts<D>::viscousSpeed(const Item& item, const Pair& pair, const std::vector<Flyer<D>>& flyers) const
+{
+    const std::vector<Launch<D>>& launches = *launches_;
+    const double first = launches[item.i].viscosity;
+    const double second = pair.second < 0 ? first : launches[item.j].viscosity;
+    const double a = arrangement_.effectiveRadius(pair);
+    return 6 * M_PI * a * a *
+           (first * flyers[item.i].body.inverseMass + second * flyers[item.j].body.inverseMass);
 }
 
 template <int D>

@@ -173,8 +173,8 @@ double Impacts<D>::collidePlain(const Item& item, Details& details, Flyer<D>& a,
     }
     const Vector<D> more = gainedBy(item, details.met);
     const Vector<D> relative = before + more;
-    const Contact<D> c =
-        centralImpact<D>(normal, relative, a.body, b.body, details.law->friction, details.law->restitution);
+    const double e = restitution(details, -relative.dot(normal));
+    const Contact<D> c = centralImpact<D>(normal, relative, a.body, b.body, details.law->friction, e);
     const Tangent<D> slipBefore = slip(c, a.body, b.body, relative);
     apply<D>(c, a.body, b.body, c.normalImpulse, c.slipImpulse);
     const Vector<D> after = b.body.velocity - a.body.velocity + more;
@@ -192,12 +192,20 @@ double Impacts<D>::collideLevered(const Item& item, Details& details, Flyer<D>& 
     const LeveredContact<D>& c = levers_[details.lever];
     const Vector<D> more = gainedBy(item, details.met);
     const Vector<D> velocity = c.frame.transpose() * Vector<D>(relativeVelocity(c, a.body, b.body) + more);
-    const Vector<D> r = impactImpulse<D>(c.w, velocity, details.law->friction, details.law->restitution);
+    const Vector<D> r =
+        impactImpulse<D>(c.w, velocity, details.law->friction, restitution(details, -velocity[0]));
     const Vector<D> impulse = c.frame * r;
     apply<D>(c, a.body, b.body, impulse, zeroTangent<D>());
     details.given += impulse;
     details.pressed += r[0];
     return nscd::work<D>(c.w, velocity, r) - workOnDriven(b, impulse);
+}
+
+template <int D>
+double Impacts<D>::restitution(const Details& details, double approach) const
+{
+    const double dry = details.law->restitution;
+    return details.viscous > 0 && approach > 0 ? wet_(dry, approach / details.viscous) : dry;
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include "nscd/contact/Arrangement.hpp"
 #include "nscd/impact/Flyer.hpp"
 #include "nscd/impact/ImpactLaw.hpp"
+#include "nscd/impact/WetRestitution.hpp"
 #include "nscd/problem/ContactProblem.hpp"
 
 #include <limits>
@@ -34,6 +35,9 @@ public:
         : arrangement_(arrangement), candidates_(candidates), wallBodies_(wallBodies), data_(data)
     {
     }
+
+    /// From now on impacts are those in a fluid.
+    void setLubrication(WetRestitution law) { wet_ = std::move(law); }
 
     /// Be without impacts: the list of candidates is another one, or nothing bounces.
     void clear();
@@ -97,6 +101,7 @@ private:
         double met = 0;        ///< when the lines of flight cross: before the impact if it comes late [s]
         Vector<D> given = Vector<D>::Zero();
         double pressed = 0;
+        double viscous = 0;    ///< approach of Stokes number 1; 0 for no fluid [m/s]
     };
 
     /// A contact of a body and the body on its other side.
@@ -136,6 +141,12 @@ private:
     double collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
     double collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
 
+    /// Speed at which two bodies meet with a Stokes number of 1 [m/s].
+    double viscousSpeed(const Item& item, const Pair& pair, const std::vector<Flyer<D>>& flyers) const;
+
+    /// Of bodies that approach each other with a velocity [m/s].
+    double restitution(const Details& details, double approach) const;
+
     /// What the bodies' relative velocity is at a time [s] above that with which they fly, which is the one in the
     /// middle of the sub-step (doc/theory, eq. 5.14) [m/s].
     Vector<D> gainedBy(const Item& item, double time) const;
@@ -152,6 +163,7 @@ private:
     const Candidates<D>& candidates_;
     const std::vector<WallBody<D>>& wallBodies_;
     const BodyData<D>& data_;
+    WetRestitution wet_;   ///< empty for no fluid
     const std::vector<Launch<D>>* launches_ = nullptr;
     double dt_ = 0, resolved_ = 0, fastest_ = 0;
     Vector<D> usual_ = Vector<D>::Zero();

@@ -14,6 +14,7 @@
 #include "heatLaw.H"
 #include "HeleShaw.H"
 #include "liftLaw.H"
+#include "lubricationLaw.H"
 #include "planarCells.H"
 #include "plateHeat.H"
 #include "sizeDistribution.H"
@@ -127,6 +128,10 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     for (const char* name : {"Magnus", "SaffmanMei"})
     {
         EXPECT_EQ(liftLaw::all(example(name)).size(), 1);
+    }
+    for (const char* name : {"Davis", "Legendre"})
+    {
+        EXPECT_TRUE(lubricationLaw::New(example(name)).valid());
     }
     for (const char* name : {"Batchelor", "Einstein", "KriegerDougherty", "noEffectiveViscosity"})
     {

@@ -12,7 +12,7 @@
 namespace
 {
 
-//- Does fluid pass neither a patch nor the body of which it is the surface?
+//- Is there no fluid beyond a patch?
 bool isClosed(const Foam::polyPatch& patch)
 {
     using namespace Foam;
@@ -23,9 +23,9 @@ bool isClosed(const Foam::polyPatch& patch)
 }
 
 
-//- Stokes number from which on a body whose surface has a radius r, of the mass
-//  of a sphere of a radius and a density, comes through the fluid before another
-bool isSqueezed
+//- Does the fluid between two bodies give way to them?  They have the reduced
+//  radius r, and the reduced mass of a sphere of that radius and a density.
+bool givesWay
 (
     const Foam::scalar density,
     const Foam::scalar r,
@@ -43,7 +43,7 @@ bool isSqueezed
 }
 
 
-Foam::scalar Foam::resolvedGrains::closingSpeed
+Foam::scalar Foam::resolvedGrains::speedAlong
 (
     const label graini,
     const point& x,
@@ -72,11 +72,11 @@ bool Foam::resolvedGrains::isOpen
     const scalar ma = grains_.motion().density(graini)*pow3(a.radius);
     const scalar mb = grains_.motion().density(otheri)*pow3(b.radius);
 
-    return isSqueezed
+    return givesWay
     (
         1/(pow3(r)*(1/ma + 1/mb)),
         r,
-        mag(closingSpeed(graini, x, n) - closingSpeed(otheri, x, n)),
+        mag(speedAlong(graini, x, n) - speedAlong(otheri, x, n)),
         fluid_.mu()[celli]
     );
 }
@@ -92,11 +92,11 @@ bool Foam::resolvedGrains::isOpenAtWall
     const label graini = grain(celli);
     const point& x = mesh_.C()[celli];
 
-    return isSqueezed
+    return givesWay
     (
         grains_.motion().density(graini),
         deepestMember(graini, x).radius,
-        mag(closingSpeed(graini, x, n) - wallSpeed),
+        mag(speedAlong(graini, x, n) - wallSpeed),
         fluid_.mu()[celli]
     );
 }

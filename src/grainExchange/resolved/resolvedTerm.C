@@ -51,22 +51,45 @@ Foam::scalarField Foam::resolvedTerm::entrained
 ) const
 {
     // Over the fluid displaced by a sphere, and a disc, that touches a plane: 0.80
-    // and 2.29.  As seen in cells, and not more: it would make the grain faster.
+    // and 2.29.  Never more than what cells have: it would make the grain faster.
     constexpr scalar ofSphere = 0.75, ofDisc = 2;
+
+    // Of what a body has deep in a fluid, in reach of a lighter one
+    constexpr scalar besideSurface = 0.5;
 
     scalarField result(grains.size(), Zero);
     if (!isActive() || grains.motion().isFixed())
     {
         return result;
     }
+    const label D = grains.mesh().nGeometricD();
     const scalarField displaced(weight.displaced());
+    const Pair<scalar> rho(weight.rhoRange());
+    const bool hasSurface = rho.first() < 0.5*rho.second();
     forAll(result, i)
     {
-        if (isResolved(i))
+        if (!isResolved(i))
         {
-            result[i] =
-                (grains.mesh().nGeometricD() == 2 ? ofDisc : ofSphere)
-               *displaced[i]/grains.motion().density(i);
+            continue;
+        }
+        // A slender one that goes along its axis
+        scalar extent = 0;
+        for (const grainMember& body : grains.members(i))
+        {
+            extent = max
+            (
+                extent,
+                body.radius
+              + mag(grains.shortest(body.centre - grains.centres()[i]))
+            );
+        }
+        result[i] =
+            (D == 2 ? ofDisc : ofSphere)
+           *pow(0.5*grains.fluidDiameter(i)/extent, D)
+           *displaced[i]/grains.motion().density(i);
+        if (hasSurface)
+        {
+            result[i] *= besideSurface*displaced[i]/rho.second();
         }
     }
     return result;

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 from grain_box import assert_same_grains, control, grain_box, ledger, replace, tracks
+from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
 
@@ -118,6 +119,21 @@ def test_rod_that_comes_with_its_end_gains_nothing(clone):
     bounce = int(np.argmax(velocity > 0))
     left = velocity[bounce + 5]
     assert 0.8 < left / (-0.9 * velocity[bounce - 1]) < 1
+
+
+@pytest.mark.parametrize("density", [500, 1200])
+def test_disc_half_in_water_bounces_off_an_upright_wall(clone, density):
+    """With the water that moves with it, and without weight."""
+    case = water_box(clone, level(0.05), [(0.083, 0.05)], 0.01, (40, 40), velocity=[(0.3, 0)])
+    text = (case.path / GRAINS).read_text()
+    text = re.sub(r"(friction +0\.\d);", r"friction 0; restitution 0.9;", text)
+    (case.path / GRAINS).write_text(text.replace("density 2500", f"density {density}"))
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=5e-4, endTime=0.08, writeInterval=160)
+    case.run("grainInterFoam")
+    velocity = -tracks(case)[:, 5]
+    bounce = int(np.argmax(velocity > 0))
+    assert 0.85 < velocity[bounce + 5] / (-0.9 * velocity[bounce - 1]) < 1.05
 
 
 def test_cells_between_grains_at_rest_stay_locked(clone):

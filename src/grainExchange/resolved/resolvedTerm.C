@@ -54,9 +54,6 @@ Foam::scalarField Foam::resolvedTerm::entrained
     // and 2.29.  Never more than what cells have: it would make the grain faster.
     constexpr scalar ofSphere = 0.75, ofDisc = 2;
 
-    // Of what a body has deep in a fluid, in reach of a lighter one
-    constexpr scalar besideSurface = 0.5;
-
     scalarField result(grains.size(), Zero);
     if (!isActive() || grains.motion().isFixed())
     {
@@ -64,8 +61,6 @@ Foam::scalarField Foam::resolvedTerm::entrained
     }
     const label D = grains.mesh().nGeometricD();
     const scalarField displaced(weight.displaced());
-    const Pair<scalar> rho(weight.rhoRange());
-    const bool hasSurface = rho.first() < 0.5*rho.second();
     forAll(result, i)
     {
         if (!isResolved(i))
@@ -87,10 +82,6 @@ Foam::scalarField Foam::resolvedTerm::entrained
             (D == 2 ? ofDisc : ofSphere)
            *pow(0.5*grains.fluidDiameter(i)/extent, D)
            *displaced[i]/grains.motion().density(i);
-        if (hasSurface)
-        {
-            result[i] *= besideSurface*displaced[i]/rho.second();
-        }
     }
     return result;
 }

@@ -160,7 +160,7 @@ double ContactDynamics<D>::Implementation::owedPart(std::size_t i) const
 
 template <int D>
 Wrenches<D> ContactDynamics<D>::Implementation::withOwed(const Vectors<D>& force, const Spins<D>& torque,
-                                                              double dt) const
+                                                         double dt) const
 {
     Wrenches<D> given{force, torque};
     for (std::size_t i = 0; i < grains_.size(); ++i)

@@ -20,10 +20,10 @@ struct Scene
     nscd::ContactTable table{2};
     nscd::Settings settings{1e-13, 200000, 0.5, 8};
 
-    explicit Scene(double friction = 0)
+    explicit Scene(double friction = 0, double restitution = 0)
     {
-        table.set(0, 0, {friction});
-        table.set(0, 1, {friction});
+        table.set(0, 0, {friction, restitution});
+        table.set(0, 1, {friction, restitution});
     }
 
     void add(const nscd::Vector<D>& x, const nscd::Vector<D>& v = nscd::Vector<D>::Zero(), double radius = 1,

@@ -21,14 +21,6 @@ class Heaviness : public testing::Test
 public:
     static constexpr int dimension = T::value;
 
-    static Scene<T::value> bouncing(double restitution, double friction = 0)
-    {
-        Scene<T::value> scene(friction);
-        scene.table.set(0, 0, {friction, restitution});
-        scene.table.set(0, 1, {friction, restitution});
-        return scene;
-    }
-
     /// Of what moves with a grain, which only its inertia holds back, under a load on the grain.
     static nscd::Vector<T::value> reaction(const nscd::ContactDynamics<T::value>& dynamics, int i, double heaviness,
                                            const nscd::Vector<T::value>& load)
@@ -43,7 +35,7 @@ TYPED_TEST_SUITE(Heaviness, Dimensions);
 TYPED_TEST(Heaviness, ReboundIsThatOfTheGrainAndOfWhatMovesWithIt)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.8);
+    Scene<D> scene(0, 0.8);
     scene.addFloor();
     scene.add(up<D>(1.0005), up<D>(-1));
     auto dynamics = scene.dynamics();
@@ -64,7 +56,7 @@ TYPED_TEST(Heaviness, ReboundIsThatOfTheGrainAndOfWhatMovesWithIt)
 TYPED_TEST(Heaviness, MomentaAreKeptWithWhatIsOwed)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.7, 0.3);
+    Scene<D> scene(0.3, 0.7);
     scene.add(nscd::Vector<D>::Zero(), nscd::Vector<D>::UnitX() + 0.3 * up<D>(), 1, 2);
     scene.add(2.0002 * nscd::Vector<D>::UnitX(), -nscd::Vector<D>::UnitX(), 1, 5);
     auto dynamics = scene.dynamics();
@@ -127,7 +119,7 @@ TYPED_TEST(Heaviness, IsNotFeltByWhatIsHeld)
 TYPED_TEST(Heaviness, WhatIsOwedIsPartOfTheState)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.8, 0.3);
+    Scene<D> scene(0.3, 0.8);
     scene.addFloor();
     scene.add(up<D>(1.0005), 0.2 * nscd::Vector<D>::UnitX() - up<D>(1));
     auto dynamics = scene.dynamics();

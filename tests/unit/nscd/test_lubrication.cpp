@@ -18,14 +18,6 @@ class Lubrication : public testing::Test
 {
 public:
     static constexpr int dimension = T::value;
-
-    static Scene<T::value> bouncing(double restitution)
-    {
-        Scene<T::value> scene;
-        scene.table.set(0, 0, {0, restitution});
-        scene.table.set(0, 1, {0, restitution});
-        return scene;
-    }
 };
 
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
@@ -51,7 +43,7 @@ struct Law
 TYPED_TEST(Lubrication, LawIsAskedForTheStokesNumberOfAGrainAtAWall)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.9);
+    Scene<D> scene(0, 0.9);
     scene.addFloor();
     scene.add(up<D>(2.001), up<D>(-3), 2, 5);
     auto dynamics = scene.dynamics();
@@ -67,7 +59,7 @@ TYPED_TEST(Lubrication, LawIsAskedForTheStokesNumberOfAGrainAtAWall)
 TYPED_TEST(Lubrication, TwoGrainsHaveTheirReducedMassAndRadius)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.9);
+    Scene<D> scene(0, 0.9);
     scene.add(nscd::Vector<D>::Zero(), nscd::Vector<D>::UnitX(), 1, 2);
     scene.add(4.0005 * nscd::Vector<D>::UnitX(), -nscd::Vector<D>::UnitX(), 3, 5);
     auto dynamics = scene.dynamics();
@@ -85,7 +77,7 @@ TYPED_TEST(Lubrication, TwoGrainsHaveTheirReducedMassAndRadius)
 TYPED_TEST(Lubrication, EndsWithTheListOfGrains)
 {
     constexpr int D = TestFixture::dimension;
-    Scene<D> scene = this->bouncing(0.9);
+    Scene<D> scene(0, 0.9);
     scene.addFloor();
     scene.add(up<D>(1.0005), up<D>(-1));
     scene.add(10 * nscd::Vector<D>::UnitX() + up<D>(2));

@@ -70,6 +70,11 @@ def with_psi(case, psi, patches, convection="upwind"):
     replace(case, "system/fvSchemes", "    div(tau)", f"{scheme}    div(tau)")
 
 
+def vapour_ledger(case):
+    """Columns of the vapour's ledger of a run from the start."""
+    return case.table("postProcessing/vapourLedger/0/vapourLedger.csv")
+
+
 def heat_ledger(case):
     """Columns of the heat's ledger, all starts of the run one after the other."""
     folder = case.path / "postProcessing/heatLedger"

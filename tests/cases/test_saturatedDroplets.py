@@ -4,44 +4,10 @@
 
 import numpy as np
 import pytest
-from droplet_box import (
-    ANTOINE,
-    DROPLETS,
-    GAS,
-    GAS_CP,
-    GAS_K,
-    GAS_RHO,
-    LATENT,
-    droplet_table,
-    in_circle,
-    make_gas,
-    open_top,
-    share_of_water,
-    with_droplets,
-)
-from grain_box import DEPTH, control, grain_box, replace
-from heat_box import heat_ledger, with_heat, with_psi
-
-RADIUS, OUTER = 1e-3, 4e-3
-DIFFUSIVITY = GAS_K / (GAS_RHO * GAS_CP)
-
-
-def saturated(clone, gas, start, rim=0.0, **droplet):
-    """A droplet of 8 cells across that is held in a circle of gas of Lewis number 1."""
-    case = in_circle(
-        clone,
-        lambda r: gas + 0 * r,
-        8,
-        (0.3, 0.1),
-        OUTER,
-        RADIUS,
-        fluid=f"{GAS} vapour {{ D {DIFFUSIVITY!r}; }}",
-        entries="motion fixed;" + ANTOINE.format(pressure=1e5, temperature=start),
-        **droplet,
-    )
-    outer = f"outer {{ type fixedValue; value uniform {rim}; }} frontAndBack {{ type empty; }}"
-    with_psi(case, rim, outer, "linear")
-    return case
+from droplet_box import DROPLETS, GAS_CP, GAS_K, GAS_RHO, LATENT, droplet_table, share_of_water
+from grain_box import DEPTH, control, replace
+from heat_box import heat_ledger, vapour_ledger
+from saturated_box import OUTER, RADIUS, in_humid_box, saturated
 
 
 def clausius_clapeyron(T):
@@ -94,24 +60,16 @@ def test_the_temperature_goes_to_the_wet_bulb(clone, gas, start):
 )
 def test_water_is_kept(clone, start, psi):
     """What the liquid lost, and what has diffused that will be taken from it, is in the gas."""
-    case = grain_box(clone)
-    sides = '"left|right|bottom|top" { type zeroGradient; }'
-    with_heat(case, T=300, grains=300, fluid=f"{GAS} vapour {{ D 2e-5; }}")
-    make_gas(case)
-    open_top(case)
-    with_psi(case, psi, f"{sides} frontAndBack {{ type empty; }}")
-    entries = ANTOINE.format(pressure=1e5, temperature=start)
-    with_droplets(case, [(0.048, 0.045)], 0.022, entries=entries)
+    case = in_humid_box(clone, 300, psi, start)
     case.run("grainDropletFoam")
     book = droplet_table(case)
     lost = book["liquid"][0] + book["vapour"][0] - book["liquid"][-1]
     assert lost * (1 if psi == 0 else -1) > 0
     assert book["vapour"].sum() == pytest.approx(lost, rel=1e-9)
-    volume = case.field("eps") * 0.01**2 * DEPTH
-    before = (0.1**2 - np.pi * 0.022**2) * DEPTH
-    through = volume.sum() - before - lost / GAS_RHO
-    gained = GAS_RHO * (volume @ case.field("psi") - psi * (before + through))
-    assert gained == pytest.approx(lost + book["diffused"][-1], rel=1e-8)
+    before = psi * (0.1**2 - np.pi * 0.022**2) * DEPTH
+    gas = vapour_ledger(case)
+    gained = gas["vapour"][-1] - before + gas["convected_top"].sum() + gas["diffused_top"].sum()
+    assert GAS_RHO * gained == pytest.approx(lost + book["diffused"][-1], rel=1e-8)
 
 
 @pytest.mark.parametrize("dt", [2e-3, 5e-3])

@@ -37,6 +37,7 @@ Description
 #include "thermalFluid.H"
 #include "vansFlow.H"
 #include "vapour.H"
+#include "vapourLedger.H"
 
 int main(int argc, char *argv[])
 {
@@ -143,6 +144,7 @@ int main(int argc, char *argv[])
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());
+        vapourBooks.endStep(carried.flux());
         dropletBooks.endStep(force);
         boiling.remove(droplets.remove(dried));
         grains.checkLost();

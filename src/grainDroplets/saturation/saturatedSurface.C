@@ -50,11 +50,13 @@ Foam::saturatedSurface::saturatedSurface
     ),
     temperature_(file("dropletTemperature")),
     waiting_(file("dropletVapour")),
+    drawn_(file("dropletVapourDrawn")),
     left_(file("dropletHeatLeft"))
 {
     checkCurve(dict);
     temperature_.resize(nDroplets, initial_);
     waiting_.resize(nDroplets, 0);
+    drawn_.resize(nDroplets, 0);
     left_.resize(nDroplets, 0);
 }
 
@@ -102,6 +104,25 @@ Foam::scalar Foam::saturatedSurface::slope(const scalar T) const
 }
 
 
+Foam::scalar Foam::saturatedSurface::diffusing
+(
+    const scalar share,
+    const scalar psi
+)
+{
+    const scalar b = 1/flow(share, psi);
+    const scalar x = (1 - share)/b - 1;
+    // Its limit, where the logarithm has no digits
+    return psi <= share || x < 1e-6 ? 1 : std::log1p(x)/x;
+}
+
+
+Foam::scalar Foam::saturatedSurface::flow(const scalar share, const scalar psi)
+{
+    return 1/(1 - min(max(share, psi), most));
+}
+
+
 Foam::scalar Foam::saturatedSurface::evaporate
 (
     const label i,
@@ -119,6 +140,7 @@ Foam::scalar Foam::saturatedSurface::evaporate
     const scalar capacity = liquidMass*liquid_.Cp;
     scalar& T = temperature_[i];
     waiting_[i] = 0;
+    drawn_[i] = 0;
 
     // Heat that it does not take now waits, which is stable at any step
     const scalar excess = heat - mass*liquid_.latentHeat;
@@ -146,19 +168,20 @@ void Foam::saturatedSurface::follow
     const label nDroplets
 )
 {
-    scalarField T(nDroplets, Zero), waiting(nDroplets, Zero), left(T);
-    scalarField known(T);
+    scalarField T(nDroplets, Zero), waiting(T), drawn(T), left(T), known(T);
     forAll(fates, i)
     {
         T[fates[i].now] += fates[i].share*temperature_[i];
         known[fates[i].now] += fates[i].share;
         waiting[fates[i].now] += waiting_[i];
+        drawn[fates[i].now] += drawn_[i];
         left[fates[i].now] += left_[i];
     }
     // The rest of it has come just now
     T += (1 - known)*initial_;
     temperature_ = T;
     waiting_ = waiting;
+    drawn_ = drawn;
     left_ = left;
 }
 
@@ -167,5 +190,6 @@ void Foam::saturatedSurface::remove(const std::vector<bool>& gone)
 {
     keepUnmarked(temperature_, gone);
     keepUnmarked(waiting_, gone);
+    keepUnmarked(drawn_, gone);
     keepUnmarked(left_, gone);
 }

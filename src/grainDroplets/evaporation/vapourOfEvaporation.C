@@ -1,0 +1,187 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "evaporation.H"
+
+#include "combineOverRanks.H"
+#include "fvc.H"
+
+
+void Foam::evaporation::thinFilms(surfaceScalarField& D) const
+{
+    const scalarField& psi = steam_.psi().field();
+    volScalarField share
+    (
+        IOobject("shareOfDroplet", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("none", dimless, -1)
+    );
+    volScalarField inGas
+    (
+        IOobject("shareOfGas", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    inGas.primitiveFieldRef() = psi;
+    forAll(share, celli)
+    {
+        const label d = term_.dropletOf(celli);
+        if (d >= 0)
+        {
+            share[celli] = saturated_->share(temperature(d));
+        }
+    }
+    share.correctBoundaryConditions();
+    inGas.correctBoundaryConditions();
+
+    const auto thin =
+        [](scalar& D, scalar shareP, scalar shareN, scalar psiP, scalar psiN)
+    {
+        if ((shareP < 0) != (shareN < 0))
+        {
+            D *= saturatedSurface::diffusing
+            (
+                max(shareP, shareN), shareP < 0 ? psiP : psiN
+            );
+        }
+    };
+    forAll(mesh_.neighbour(), facei)
+    {
+        const label P = mesh_.owner()[facei], N = mesh_.neighbour()[facei];
+        thin(D[facei], share[P], share[N], inGas[P], inGas[N]);
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& s = share.boundaryField()[patchi];
+        if (!s.coupled())
+        {
+            continue;
+        }
+        const fvPatchScalarField& p = inGas.boundaryField()[patchi];
+        const scalarField shareP(s.patchInternalField());
+        const scalarField shareN(s.patchNeighbourField());
+        const scalarField psiP(p.patchInternalField());
+        const scalarField psiN(p.patchNeighbourField());
+        scalarField& DofPatch = D.boundaryFieldRef()[patchi];
+        forAll(s, i)
+        {
+            thin(DofPatch[i], shareP[i], shareN[i], psiP[i], psiN[i]);
+        }
+    }
+}
+
+
+void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
+{
+    if (!steam.isActive())
+    {
+        return;
+    }
+    const scalar perVolume = 1/droplets_.properties().vapourDensity;
+    cellExchange cells{perVolume*entering_, perVolume*vapourShare_};
+    if (!saturated_)
+    {
+        steam.carry(flux, steam.diffusivity(flux.fraction()), cells);
+        return;
+    }
+
+    surfaceScalarField D
+    (
+        steam.diffusivity
+        (
+            max
+            (
+                exchange_.fields().fluidShare + term_.locked(),
+                transportFlux::least
+            )
+        )
+    );
+    thinFilms(D);
+    const List<dropletFace> faces(dropletFace::list(term_, D));
+    D *= term_.conductance();
+    const scalar hold = holding(1, D);
+
+    const volScalarField& psi = steam.psi().field();
+    const auto shareOf = [&](const label d)
+    {
+        return saturated_->share(temperature(d));
+    };
+
+    forAll(vapour_, celli)
+    {
+        const label d = term_.dropletOf(celli);
+        if (d >= 0)
+        {
+            cells.coefficient[celli] += hold;
+            cells.given[celli] += hold*shareOf(d);
+        }
+    }
+    // Small droplets as for heat
+    List<dropletFace> smalls(smalls_);
+    for (dropletFace& f : smalls)
+    {
+        const scalar share = shareOf(f.droplet);
+        f.conductivity =
+            steam.D()/gas_.kappa()[f.cell]
+           *saturatedSurface::diffusing(share, psi[f.cell]);
+        const scalar h = f.conductance*f.conductivity/mesh_.V()[f.cell];
+        cells.coefficient[f.cell] += h;
+        cells.given[f.cell] += h*share;
+    }
+
+    steam.carry(flux, D, cells);
+
+    const scalar perShare =
+        mesh_.time().deltaTValue()*droplets_.properties().vapourDensity;
+    scalarField diffused(droplets_.size(), Zero);
+    scalarField through(droplets_.size(), Zero);
+    vapourStiffness_ = Zero;
+    forAll(vapour_, celli)
+    {
+        const label d = term_.dropletOf(celli);
+        if (d >= 0)
+        {
+            diffused[d] +=
+                perShare*mesh_.V()[celli]*hold*(shareOf(d) - psi[celli]);
+        }
+    }
+    for (const dropletFace& f : smalls)
+    {
+        diffused[f.droplet] +=
+            perShare*f.conductance*f.conductivity
+           *(shareOf(f.droplet) - psi[f.cell]);
+    }
+    scalarField condenses(droplets_.size(), Zero);
+    for (const List<dropletFace>& all : {faces, smalls})
+    {
+        for (const dropletFace& f : all)
+        {
+            const scalar share = shareOf(f.droplet);
+            const scalar flow = saturatedSurface::flow(share, psi[f.cell]);
+            const scalar perDroplet = perShare*f.conductance*f.conductivity;
+            through[f.droplet] += perDroplet*(share - psi[f.cell])*flow;
+            vapourStiffness_[f.droplet] += perDroplet*flow;
+            condenses[f.droplet] += psi[f.cell] > share;
+        }
+    }
+    for (const inflow& f : condensing_)
+    {
+        diffused[f.droplet] += mesh_.time().deltaTValue()*f.rate*psi[f.cell];
+    }
+    sumOverRanks(diffused);
+    sumOverRanks(through);
+    sumOverRanks(condenses);
+    sumOverRanks(vapourStiffness_);
+
+    forAll(diffused, i)
+    {
+        saturated_->diffuse(i, diffused[i] - notCarried_[i]);
+        if (condenses[i] > 0)
+        {
+            saturated_->condense(i, through[i]);
+        }
+        vapourStiffness_[i] *= saturated_->slope(temperature(i));
+    }
+}

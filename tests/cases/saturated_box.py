@@ -38,7 +38,7 @@ def saturated(clone, gas, start, rim=0.0, **droplet):
     return case
 
 
-def in_humid_box(clone, gas, psi, start, velocity=(0, 0), name=None):
+def in_humid_box(clone, gas, psi, start, velocity=(0, 0), name=None, D=2e-5, nu=1.6e-5, **droplet):
     """A droplet of 4.4 cells across in gas that fills the box and comes in through its top."""
 
     def as_outside(value):
@@ -46,11 +46,11 @@ def in_humid_box(clone, gas, psi, start, velocity=(0, 0), name=None):
         return f'{top} "left|right|bottom" {{ type zeroGradient; }}'
 
     case = grain_box(clone, name=name)
-    fluid = f"{GAS} vapour {{ D 2e-5; }}"
+    fluid = f"{GAS} vapour {{ D {D}; }}"
     with_heat(case, T=gas, grains=300, patches=as_outside(gas), fluid=fluid)
-    make_gas(case)
+    make_gas(case, nu)
     open_top(case)
     with_psi(case, psi, f"{as_outside(psi)} frontAndBack {{ type empty; }}")
     entries = ANTOINE.format(pressure=1e5, temperature=start)
-    with_droplets(case, [(0.048, 0.045)], 0.022, velocity=[velocity], entries=entries)
+    with_droplets(case, [(0.048, 0.045)], 0.022, velocity=[velocity], entries=entries, **droplet)
     return case

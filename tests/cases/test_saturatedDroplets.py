@@ -98,3 +98,20 @@ def test_what_condenses_comes_from_the_humid_side(clone):
     assert rate > 0
     even = rate / (GAS_RHO * 2 * np.pi * RADIUS * DEPTH)
     assert np.abs(case.field("U")).max() < 4 * even
+
+
+@pytest.mark.parametrize("start, psi, density", [(371.0, 0.8, 100), (372.0, 0.05, 1000)])
+def test_hot_droplets_pass_through_cells(clone, start, psi, density):
+    """What newly covered cells take of the vapour makes no flow: that grew by psi_s/(1 - psi_s)
+    from step to step, where psi_s is above a half."""
+    case = in_humid_box(clone, 373, psi, start, (0.2, 0.05), density=density)
+    control(case, endTime=0.03, deltaT=1e-3, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book, gas = droplet_table(case), vapour_ledger(case)
+    assert np.abs(case.field("U")).max() < 1
+    assert gas["leastPsi"].min() >= psi - 1e-9
+    assert gas["mostPsi"].max() <= share_of_water(start) + 1e-9
+    lost = book["liquid"][0] + book["vapour"][0] - book["liquid"][-1]
+    before = psi * (0.1**2 - np.pi * 0.022**2) * DEPTH
+    gained = gas["vapour"][-1] - before + gas["convected_top"].sum() + gas["diffused_top"].sum()
+    assert GAS_RHO * gained == pytest.approx(lost + book["diffused"][-1], rel=1e-8)

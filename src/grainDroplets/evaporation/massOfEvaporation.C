@@ -24,7 +24,7 @@ Foam::scalarField Foam::evaporation::shares
         const scalar Td = temperature(f.droplet);
         // What condenses comes from where there is more than at the surface
         const scalar sign =
-            saturated_ && saturated_->toEvaporate(f.droplet) < 0 ? -1 : 1;
+            saturated_ && saturated_->toPass(f.droplet) < 0 ? -1 : 1;
         scalar difference = f.conductivity*(T[f.cell] - Td);
         if (saturated_)
         {
@@ -73,9 +73,11 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
     if (saturated_)
     {
         diffused = saturated_->waiting(i);
-        flow = saturated_->toEvaporate(i);
+        flow = saturated_->toPass(i);
         // What condenses is known when it has left the gas
-        const scalar mass0 = flow < 0 ? diffused : flow;
+        const scalar mass0 =
+            diffused
+          + max(flow, scalar(0))*saturated_->share(temperature(i));
         lost = saturated_->evaporate
         (
             i, mass0, mass, stiffness_[i] + latent*vapourStiffness_[i], heat
@@ -137,15 +139,15 @@ void Foam::evaporation::addVapour
 void Foam::evaporation::warnIfShut()
 {
     const auto& p_rgh = mesh_.lookupObject<volScalarField>("p_rgh");
-    if (saidShut_ || !p_rgh.needReference() || sum(lost_) <= 0)
+    if (saidShut_ || !p_rgh.needReference() || sum(mag(flow_)()) <= 0)
     {
         return;
     }
     saidShut_ = true;
     WarningInFunction
-        << "Droplets evaporate and no patch lets the fluid out: the volume of"
-        << " their vapour is taken evenly from that of the gas, which is"
-        << " incompressible;" << nl
+        << "Droplets evaporate, or vapour condenses, and no patch lets the fluid"
+        << " through: the volume of the vapour is taken evenly from that of the gas,"
+        << " or added to it, which is incompressible;" << nl
         << "    an opening, a fixed value of p_rgh on a patch, avoids it"
         << " (said once)" << endl;
 }

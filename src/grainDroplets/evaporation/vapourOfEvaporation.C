@@ -153,7 +153,6 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
             perShare*f.conductance*f.conductivity
            *(shareOf(f.droplet) - psi[f.cell]);
     }
-    scalarField condenses(droplets_.size(), Zero);
     for (const List<dropletFace>& all : {faces, smalls})
     {
         for (const dropletFace& f : all)
@@ -163,7 +162,6 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
             const scalar perDroplet = perShare*f.conductance*f.conductivity;
             through[f.droplet] += perDroplet*(share - psi[f.cell])*flow;
             vapourStiffness_[f.droplet] += perDroplet*flow;
-            condenses[f.droplet] += psi[f.cell] > share;
         }
     }
     for (const inflow& f : condensing_)
@@ -172,16 +170,12 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
     }
     sumOverRanks(diffused);
     sumOverRanks(through);
-    sumOverRanks(condenses);
     sumOverRanks(vapourStiffness_);
 
     forAll(diffused, i)
     {
         saturated_->diffuse(i, diffused[i] - notCarried_[i]);
-        if (condenses[i] > 0)
-        {
-            saturated_->condense(i, through[i]);
-        }
+        saturated_->pass(i, through[i]);
         vapourStiffness_[i] *= saturated_->slope(temperature(i));
     }
 }

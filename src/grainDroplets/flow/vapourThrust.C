@@ -61,6 +61,13 @@ void Foam::vapourThrust::set
     for (const vapourJet& jet : jets)
     {
         const grainMotion::twist motion(system.motion().motion(jet.droplet));
+        if (jet.rate < 0)
+        {
+            // Gas that condenses has the velocity of its cell: no force on the rest
+            thrust_[jet.droplet] -=
+                jet.rate*(U[jet.cell] - motion.velocity);
+            continue;
+        }
         const vector n(term.normal(jet.cell, jet.droplet));
         const vector relative
         (
@@ -70,15 +77,6 @@ void Foam::vapourThrust::set
         force_[jet.cell] += jet.rate/V[jet.cell]*(motion.velocity + relative);
         coefficient_[jet.cell] += jet.rate/V[jet.cell];
         thrust_[jet.droplet] -= jet.rate*relative;
-    }
-    forAll(coefficient_, celli)
-    {
-        // Vapour that condenses takes the velocity of the surface along
-        if (coefficient_[celli] < 0)
-        {
-            force_[celli] -= coefficient_[celli]*U[celli];
-            coefficient_[celli] = 0;
-        }
     }
     pushDroplets(term);
 }

@@ -50,13 +50,17 @@ Foam::saturatedSurface::saturatedSurface
     ),
     temperature_(file("dropletTemperature")),
     waiting_(file("dropletVapour")),
-    drawn_(file("dropletVapourDrawn")),
+    flow_(file("dropletVapourFlow")),
     left_(file("dropletHeatLeft"))
 {
     checkCurve(dict);
     temperature_.resize(nDroplets, initial_);
     waiting_.resize(nDroplets, 0);
-    drawn_.resize(nDroplets, 0);
+    // A state without it had the flow of all that waits
+    for (label i = flow_.size(); i < nDroplets; ++i)
+    {
+        flow_.append(waiting_[i]/(1 - share(temperature_[i])));
+    }
     left_.resize(nDroplets, 0);
 }
 
@@ -140,7 +144,7 @@ Foam::scalar Foam::saturatedSurface::evaporate
     const scalar capacity = liquidMass*liquid_.Cp;
     scalar& T = temperature_[i];
     waiting_[i] = 0;
-    drawn_[i] = 0;
+    flow_[i] = 0;
 
     // Heat that it does not take now waits, which is stable at any step
     const scalar excess = heat - mass*liquid_.latentHeat;
@@ -168,20 +172,20 @@ void Foam::saturatedSurface::follow
     const label nDroplets
 )
 {
-    scalarField T(nDroplets, Zero), waiting(T), drawn(T), left(T), known(T);
+    scalarField T(nDroplets, Zero), waiting(T), flow(T), left(T), known(T);
     forAll(fates, i)
     {
         T[fates[i].now] += fates[i].share*temperature_[i];
         known[fates[i].now] += fates[i].share;
         waiting[fates[i].now] += waiting_[i];
-        drawn[fates[i].now] += drawn_[i];
+        flow[fates[i].now] += flow_[i];
         left[fates[i].now] += left_[i];
     }
     // The rest of it has come just now
     T += (1 - known)*initial_;
     temperature_ = T;
     waiting_ = waiting;
-    drawn_ = drawn;
+    flow_ = flow;
     left_ = left;
 }
 
@@ -190,6 +194,6 @@ void Foam::saturatedSurface::remove(const std::vector<bool>& gone)
 {
     keepUnmarked(temperature_, gone);
     keepUnmarked(waiting_, gone);
-    keepUnmarked(drawn_, gone);
+    keepUnmarked(flow_, gone);
     keepUnmarked(left_, gone);
 }

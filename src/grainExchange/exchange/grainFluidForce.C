@@ -106,7 +106,12 @@ void Foam::grainFluidExchange::moveGrains
         const tmp<volVectorField> gradP(seenByGrains(cellGradP));
         unresolved_.addForce(U(), gradP(), *resolved_, force, torque);
     }
-    resolved_->addPressureTorque(cellGradP, torque);
+    resolved_->addPressureTorque
+    (
+        mesh_.lookupObject<volScalarField>("p_rgh"),
+        mesh_.lookupObject<volScalarField>("p"),
+        torque
+    );
     resolved_->addForce(cellU, force);
 
     sumOverRanks(force);

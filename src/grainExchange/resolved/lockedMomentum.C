@@ -5,7 +5,7 @@
 
 #include "lockedGrains.H"
 
-#include "fvc.H"
+#include "byVolume.H"
 #include "reconstruction.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -26,9 +26,9 @@ void Foam::lockedGrains::startCorrections
     // grain has from its neighbours does not take it through the surface: there,
     // viscosity holds it to the grain.
     const surfaceScalarField& faces = cells_.lockedFaces();
-    inertia_ = fvc::interpolate((1 - locked())*inertia);
-    hold_ = fvc::interpolate((1 - locked())*A) - inertia_();
-    mobility_ = 1/(fvc::interpolate(A) + drag);
+    inertia_ = byVolume((1 - locked())*inertia);
+    hold_ = byVolume((1 - locked())*A) - inertia_();
+    mobility_ = 1/(byVolume(A) + drag);
     ownDrag_ = locked()*A;
     ownForce_.clear();
     mobility = (1 - faces)*mobility + faces*mobility_();
@@ -55,7 +55,7 @@ void Foam::lockedGrains::correctFlux
         (1 - faces)*flux
       + faces*mobility_()
        *(
-            fvc::flux(ownForce_())
+            fluxByVolume(ownForce_())
           + inertia_()*oldFlux
           + hold_()*cells_.bodyFlux(U)
           + knownForce
@@ -97,7 +97,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::lockedGrains::densityBeside
     return
         max
         (
-            fvc::interpolate(density),
+            byVolume(density),
             dimensionedScalar("least", dimDensity, VSMALL)
         )
        /max(1 - fluidPart, scalar(SMALL));
@@ -120,14 +120,14 @@ void Foam::lockedGrains::correctForce
 
     // The inertia that a locked cell would have of the fluid beside it is missing
     // at their face
-    const surfaceScalarField fluidPart(fvc::interpolate(1 - locked()));
+    const surfaceScalarField fluidPart(byVolume(1 - locked()));
     const surfaceScalarField beside
     (
         "beside", pos(fluidPart*(1 - fluidPart) - SMALL)
     );
     const surfaceScalarField rhoBeside
     (
-        fvc::interpolate((1 - locked())*rho)/max(fluidPart, scalar(SMALL))
+        byVolume((1 - locked())*rho)/max(fluidPart, scalar(SMALL))
     );
     const surfaceScalarField full
     (
@@ -161,7 +161,7 @@ void Foam::lockedGrains::correctForce
         const surfaceScalarField own
         (
             lighter
-           *(fvc::flux(ownForce_()) - fvc::interpolate(ownDrag_())*flux)
+           *(fluxByVolume(ownForce_()) - byVolume(ownDrag_())*flux)
         );
         seen -= own;
         gradient +=

@@ -43,23 +43,12 @@ void Foam::lockedGrains::addForce
 
 void Foam::lockedGrains::addPressureTorque
 (
-    const volVectorField& gradP,
+    const volScalarField& p_rgh,
+    const volScalarField& p,
     vectorField& torque
 ) const
 {
-    const overlapList& overlaps = grains_.overlaps();
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
-    {
-        // The pressure on a disc or sphere has no moment
-        if (!isResolved(graini) || grains_.members(graini).size() == 1)
-        {
-            continue;
-        }
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            torque[graini] -= o.volume*(o.arm ^ gradP[o.cell]);
-        }
-    }
+    cells_.addPressureTorque(p_rgh, p, torque);
 }
 
 

@@ -5,9 +5,8 @@
 
 #include "resolvedGrains.H"
 
-#include "fvcFlux.H"
+#include "byVolume.H"
 #include "fvcSurfaceIntegrate.H"
-#include "surfaceInterpolate.H"
 
 Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::continued
 (
@@ -18,7 +17,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::continued
     // Of a face to a grain: counts for a cell that has no other in a direction
     constexpr scalar least = 1e-2;
 
-    const surfaceScalarField fluidPart(fvc::interpolate(1 - locked_));
+    const surfaceScalarField fluidPart(byVolume(1 - locked_));
     const surfaceScalarField beside(lockedFaces_*pos(fluidPart - SMALL));
     const surfaceVectorField weighted
     (
@@ -48,7 +47,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::continued
 
     return beside
        *(
-            fvc::flux((1 - locked_)*gradient)/max(fluidPart, scalar(SMALL))
+            fluxByVolume((1 - locked_)*gradient)/max(fluidPart, scalar(SMALL))
           - given
         );
 }

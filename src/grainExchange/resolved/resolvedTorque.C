@@ -5,6 +5,7 @@
 
 #include "resolvedGrains.H"
 
+#include "byVolume.H"
 #include "fvcSnGrad.H"
 #include "meanOverGrains.H"
 
@@ -95,4 +96,129 @@ void Foam::resolvedGrains::addTorque
             (viscous[graini] - 2*grainMu[graini]*V*grains_.motion().spin(graini))
            /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
     }
+}
+
+
+bool Foam::resolvedGrains::hasClusters() const
+{
+    if (!isActive_)
+    {
+        return false;
+    }
+    forAll(isResolved_, graini)
+    {
+        if (isResolved_[graini] && grains_.members(graini).size() > 1)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::resolvedGrains::addPressureTorque
+(
+    const volScalarField& p_rgh,
+    const volScalarField& p,
+    vectorField& torque
+) const
+{
+    // The pressure on a disc or sphere has no moment
+    if (!hasClusters())
+    {
+        return;
+    }
+    const volScalarField fluid(1 - locked_);
+    const volScalarField& rho = fluid_.rhoWeight();
+    const surfaceScalarField part
+    (
+        max(byVolume(fluid), scalar(SMALL))
+    );
+    const surfaceScalarField pOfFluid(byVolume(fluid*p_rgh)/part);
+    const surfaceScalarField rhoOfFluid(byVolume(fluid*rho)/part);
+    const surfaceScalarField ofWeight(byVolume(fluid*(p - p_rgh))/part);
+    const scalarField displaced(meanOverGrains(grains_, rho.primitiveField()));
+    const vector g(grains_.motion().g());
+
+    const auto forFaces = [&](const auto& visit)
+    {
+        forLinks
+        (
+            [&]
+            (
+                const side& own,
+                const side& nei,
+                const label patchi,
+                const label facei
+            )
+            {
+                // A coupled face belongs to the rank of the grain's cell
+                if
+                (
+                    own.isLocked() == nei.isLocked()
+                 || (patchi >= 0 && !own.isLocked())
+                )
+                {
+                    return;
+                }
+                const side& inGrain = own.isLocked() ? own : nei;
+                const side& inFluid = own.isLocked() ? nei : own;
+                const label graini = label(inGrain.grain);
+                if (grains_.members(graini).size() == 1)
+                {
+                    return;
+                }
+                const point x(resolvedFace::at(mesh_.Cf(), patchi, facei));
+                const vector arm
+                (
+                    between(grains_.centres()[graini], inGrain.x)
+                  + inMesh(x - inGrain.x)
+                );
+                // Without the weight of the mean density, which has no moment
+                const scalar rhof = resolvedFace::at(rhoOfFluid, patchi, facei);
+                const scalar excess =
+                    resolvedFace::at(pOfFluid, patchi, facei)
+                  + (1 - displaced[graini]/rhof)
+                   *(
+                        resolvedFace::at(ofWeight, patchi, facei)
+                      + rhof*(g & (x - inFluid.x))
+                    );
+                visit
+                (
+                    graini,
+                    arm,
+                    excess,
+                    (own.isLocked() ? 1 : -1)
+                   *resolvedFace::at(mesh_.Sf(), patchi, facei)
+                );
+            }
+        );
+    };
+
+    // Where other grains or walls are beside it the pressure is the mean
+    scalarField mean(grains_.size(), Zero), area(grains_.size(), VSMALL);
+    forFaces
+    (
+        [&](const label graini, const vector&, const scalar excess, const vector& S)
+        {
+            mean[graini] += mag(S)*excess;
+            area[graini] += mag(S);
+        }
+    );
+    sumOverRanks(mean);
+    sumOverRanks(area);
+    mean /= area;
+    forFaces
+    (
+        [&]
+        (
+            const label graini,
+            const vector& arm,
+            const scalar excess,
+            const vector& S
+        )
+        {
+            torque[graini] -= (excess - mean[graini])*(arm ^ S);
+        }
+    );
 }

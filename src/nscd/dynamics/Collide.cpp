@@ -70,7 +70,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         }
         if (levered_)
         {
-            data_.turning[k] = turningOf(grains_, i, heaviness_[i]);
+            data_.turning[k] = turningOf(grains_, i, heavinessOfTurning(i));
         }
     }
     std::size_t k = grains_.size();
@@ -208,7 +208,7 @@ void ContactDynamics<D>::Implementation::land(double dt)
         const Vector<D> change = f.body.velocity - free_.velocity[i];
         const Spin<D> spinChange = toSpin(Tangent<D>(f.body.surfaceSpeed - surfaceSpeed<D>(free_.spin[i], r))) / r;
         contactImpulse_[i] += heaviness_[i] * grains_.mass[i] * change;
-        contactSpinImpulse_[i] += heaviness_[i] * angularMomentum<D>(grains_, i, spinChange);
+        contactSpinImpulse_[i] += heavinessOfTurning(i) * angularMomentum<D>(grains_, i, spinChange);
         free_.velocity[i] = f.body.velocity;
         free_.spin[i] += spinChange;
         grains_.position[i] += f.offset;

@@ -159,6 +159,12 @@ double ContactDynamics<D>::Implementation::owedPart(std::size_t i) const
 }
 
 template <int D>
+double ContactDynamics<D>::Implementation::owedPartOfTorque(std::size_t i) const
+{
+    return 1 - 1 / heavinessOfTurning(i);
+}
+
+template <int D>
 Wrenches<D> ContactDynamics<D>::Implementation::withOwed(const Vectors<D>& force, const Spins<D>& torque,
                                                          double dt) const
 {
@@ -166,7 +172,7 @@ Wrenches<D> ContactDynamics<D>::Implementation::withOwed(const Vectors<D>& force
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         given.force[i] += owed_.force[i] / dt + owedPart(i) * lasting_.force[i];
-        given.torque[i] += owed_.torque[i] / dt + owedPart(i) * lasting_.torque[i];
+        given.torque[i] += owed_.torque[i] / dt + owedPartOfTorque(i) * lasting_.torque[i];
     }
     return given;
 }
@@ -177,7 +183,7 @@ void ContactDynamics<D>::Implementation::keepOwed(double dt)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         owed_.force[i] = owedPart(i) * (contactImpulse_[i] - dt * lasting_.force[i]);
-        owed_.torque[i] = owedPart(i) * (contactSpinImpulse_[i] - dt * lasting_.torque[i]);
+        owed_.torque[i] = owedPartOfTorque(i) * (contactSpinImpulse_[i] - dt * lasting_.torque[i]);
     }
 }
 

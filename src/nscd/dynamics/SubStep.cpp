@@ -131,7 +131,7 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
         bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
         if (levered_)
         {
-            data_.turning[k] = turningOf(grains_, i, heaviness_[i]);
+            data_.turning[k] = turningOf(grains_, i, heavinessOfTurning(i));
         }
     }
     for (const WallBody<D>& wall : wallBodies_)
@@ -156,7 +156,7 @@ void ContactDynamics<D>::Implementation::move(double dt, StepReport& report)
         const Spin<D> spinChange =
             toSpin(Tangent<D>(bodies_[k].surfaceSpeed - surfaceSpeed<D>(free_.spin[i], grains_.radius[i]))) /
             grains_.radius[i];
-        const Spin<D> spinImpulse = heaviness_[i] * angularMomentum<D>(grains_, i, spinChange);
+        const Spin<D> spinImpulse = heavinessOfTurning(i) * angularMomentum<D>(grains_, i, spinChange);
         const Spin<D> spin = free_.spin[i] + spinChange;
         report.contactWork += 0.5 * impulse.dot(free_.velocity[i] + bodies_[k].velocity) +
                               0.5 * spinImpulse.dot(free_.spin[i] + spin);

@@ -5,6 +5,7 @@
 
 #include "stepCoefficients.H"
 
+#include "byVolume.H"
 #include "fvc.H"
 #include "timeScheme.H"
 
@@ -96,7 +97,7 @@ Foam::stepCoefficients::stepCoefficients
         resolved.onFaces
         (
             fvc::flux(bByShare),
-            fvc::flux(inLocked(resolved, bByShare, grains.bBeside))
+            fluxByVolume(inLocked(resolved, bByShare, grains.bBeside))
         )
     ),
     betaf
@@ -105,7 +106,7 @@ Foam::stepCoefficients::stepCoefficients
         resolved.onFaces
         (
             fvc::interpolate(betaByShare),
-            fvc::interpolate(inLocked(resolved, betaByShare, grains.betaBeside))
+            byVolume(inLocked(resolved, betaByShare, grains.betaBeside))
         )
     ),
     phiEps("phiEps", throughFaces(epsOpen, fields, resolved)),

@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: 2026 The grainFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Resolved grains that turn, and that move through cells of different sizes."""
+
+import re
+
+import numpy as np
+import pytest
+from grain_box import control, grain_box, replace, tracks
+from water_box import level, water_box
+
+GRAINS = "constant/grainProperties"
+OMEGA = 20.0
+
+
+def spinning(clone, name, rod="", y=0.05, velocity=(0, 0), density=8000, radius=0.015, dt=5e-4):
+    """A disc, or a cluster, that turns in a box of 40 x 40 cells of water without weight."""
+    case = grain_box(clone, [(0.05, y)], radius, velocity=[velocity], name=name)
+    path = case.path / GRAINS
+    text = re.sub(r"friction +0\.\d;", "friction 1; restitution 0.9;", path.read_text())
+    path.write_text(text.replace("density 2500", f"density {density}"))
+    file = case.path / "constant/grains.csv"
+    header, line = file.read_text().splitlines()
+    if rod:
+        replace(case, GRAINS, "\nwalls\n{", f"\nshapes {{ rod {{ {rod} }} }}\n\nwalls\n{{")
+        file.write_text(
+            f"{header},shape,qw,qx,qy,qz,wx,wy,wz\n"
+            f"{line},rod,{np.cos(0.35):.15f},0,0,{np.sin(0.35):.15f},0,0,{OMEGA}\n"
+        )
+    else:
+        file.write_text(f"{header},wx,wy,wz\n{line},0,0,{OMEGA}\n")
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+    case.run("blockMesh")
+    replace(case, "constant/transportProperties", "1e-4", "1e-6")
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=dt, endTime=4e-3, writeInterval=1000)
+    return case
+
+
+ROD = "type cluster; centres ((-2 0 0) (-1 0 0) (0 0 0) (1 0 0) (2 0 0)); radii (1 1 1 1 1);"
+
+
+# 17.8 and 10.9: with the inertia that fluid adds to a plate.  The pressure within the rod, which
+# holds its cells together, once took a fifth of the spin in each step, however short.
+@pytest.mark.parametrize("density, low, high", [(8000, 17.2, 18.1), (1200, 10.2, 11.4)])
+def test_a_rod_keeps_its_spin_whatever_the_step(clone, density, low, high):
+    spins = []
+    for dt in (5e-4, 1.25e-4):
+        case = spinning(clone, f"rod{dt}", ROD, density=density, dt=dt)
+        case.run("grainFoam")
+        spins.append(tracks(case)[-1, 10])
+    assert low < min(spins) and max(spins) < high
+    assert spins[0] == pytest.approx(spins[1], rel=0.01)
+
+
+def test_ranks_agree_on_a_rod(clone):
+    one, two = (spinning(clone, name, ROD) for name in ("one", "two"))
+    one.run("grainFoam")
+    two.run("decomposePar")
+    two.parallel("grainFoam", 2)
+    np.testing.assert_allclose(tracks(two)[:, 10], tracks(one)[:, 10], rtol=1e-6)
+
+
+@pytest.mark.parametrize("angle", [0.5, -0.5])
+def test_a_rod_in_the_surface_turns_level(clone, angle):
+    """Half of the water's density; the water's pressure once had no moment on it."""
+    case = water_box(clone, level(0.05), [(0.05, 0.05)], 0.025, (40, 40))
+    replace(case, GRAINS, "density 2500", "density 500")
+    replace(case, GRAINS, "\nwalls\n{", f"\nshapes {{ rod {{ {ROD} }} }}\n\nwalls\n{{")
+    file = case.path / "constant/grains.csv"
+    header, line = file.read_text().splitlines()
+    turned = f"{np.cos(angle / 2):.15f},0,0,{np.sin(angle / 2):.15f}"
+    file.write_text(f"{header},shape,qw,qx,qy,qz\n{line},rod,{turned}\n")
+    control(case, deltaT=5e-4, endTime=0.12, writeInterval=20)
+    case.run("grainInterFoam")
+    angles = np.array([case.grains(time)["orientation"][0] for time in case.times[1:]])
+    # A quarter of its swing, with the inertia of half of the water around a plate: 0.08 s
+    level_again = np.argmax(angles * np.sign(angle) < 0)
+    assert 0.04 < float(case.times[1:][level_again]) <= 0.1
+    assert np.all(np.abs(angles) < 0.5)
+
+
+@pytest.mark.parametrize("kind", ["locked", "cutCells"])
+@pytest.mark.parametrize("density", [500, 1200, 8000])
+def test_a_wall_that_holds_leaves_a_third_of_the_spin(clone, kind, density):
+    """As of a disc without a fluid: none turns with it.  It had -4 times the spin at half of the
+    fluid's density, as what the wall did to such a fluid came back as spin."""
+    case = spinning(clone, "disc", y=0.015, velocity=(0, -0.6), density=density, radius=0.01)
+    resolved = f"\ncoupling\n{{\n    resolvedGrains {{ type {kind}; }}"
+    replace(case, GRAINS, "\ncoupling\n{", resolved)
+    control(case, endTime=0.04)
+    case.run("grainFoam")
+    table = tracks(case)
+    spin, up = table[:, 10], table[:, 6]
+    bounce = int(np.argmax(up > 0))
+    assert bounce > 3
+    # The last step before it, and a few after: viscosity takes a little, too
+    ratio = spin[bounce : bounce + 6] / spin[bounce - 1]
+    assert np.all(np.abs(ratio - 1 / 3) < 0.03)
+
+
+@pytest.mark.parametrize("density, rho, nu", [(1000, 1.2, 1.6e-5), (8000, 1000, 1e-6)])
+def test_cells_that_grow_do_not_push_a_grain(clone, density, rho, nu):
+    """Cells of one edge of the box are 4 times those of the other, by 3 % from each to the next.
+    In gas it gained a third of its speed, the more the shorter the steps."""
+
+    def speed(grading, dt):
+        name = f"g{grading}_{dt}"
+        case = grain_box(clone, [(0.02, 0.05)], 0.0045, velocity=[(1.2, 0)], name=name)
+        replace(case, "system/blockMeshDict", "(10 10 1)", "(44 44 1)")
+        graded = f"simpleGrading ({grading} 1 1)"
+        replace(case, "system/blockMeshDict", "simpleGrading (1 1 1)", graded)
+        case.run("blockMesh")
+        replace(case, GRAINS, "density 2500", f"density {density}")
+        replace(case, "constant/g", "-9.81", "0")
+        fluid = "constant/transportProperties"
+        replace(case, fluid, "rho     [1 -3 0 0 0 0 0] 1000;", f"rho {rho};")
+        replace(case, fluid, "1e-4;", f"{nu};")
+        control(case, deltaT=dt, endTime=0.02, writeInterval=1000)
+        case.run("grainFoam")
+        return tracks(case)[-1, 5]
+
+    even, graded, shorter = speed(1, 2.5e-4), speed(4, 2.5e-4), speed(4, 6.25e-5)
+    # Cells of 0.55 to 2 times the size have other drag in water
+    assert graded == pytest.approx(even, rel=0.005 if rho < 2 else 0.12)
+    # 0.7 % less on cells of one size, 1.9 % more here
+    assert shorter == pytest.approx(graded, rel=0.005 if rho < 2 else 0.03)

@@ -35,6 +35,7 @@ Foam::evaporation::evaporation
     ),
     waitingFromFluid_(state("dropletHeatFromFluid")),
     waitingFromGrains_(state("dropletHeatFromGrains")),
+    waitingTime_(state("dropletHeatTime")),
     growth_(state("dropletGrowth")),
     fromFluid_(droplets.size(), Zero),
     fromGrains_(droplets.size(), Zero),
@@ -53,6 +54,7 @@ Foam::evaporation::evaporation
 {
     waitingFromFluid_.resize(droplets.size(), 0);
     waitingFromGrains_.resize(droplets.size(), 0);
+    waitingTime_.resize(droplets.size(), 0);
     growth_.resize(droplets.size(), 0);
     if (droplets.dict().found("saturation"))
     {
@@ -119,6 +121,7 @@ void Foam::evaporation::remove(const std::vector<bool>& gone)
 {
     keepUnmarked(waitingFromFluid_, gone);
     keepUnmarked(waitingFromGrains_, gone);
+    keepUnmarked(waitingTime_, gone);
     keepUnmarked(growth_, gone);
     if (saturated_)
     {
@@ -168,6 +171,13 @@ void Foam::evaporation::follow(const List<liquidDroplets::fate>& fates)
     };
     gather(waitingFromFluid_);
     gather(waitingFromGrains_);
+    scalarField time(droplets_.size(), Zero);
+    forAll(fates, i)
+    {
+        scalar& longest = time[fates[i].now];
+        longest = max(longest, waitingTime_[i]);
+    }
+    waitingTime_ = time;
     gather(growth_);
     forAll(fates, i)
     {

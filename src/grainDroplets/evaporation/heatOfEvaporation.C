@@ -159,4 +159,8 @@ void Foam::evaporation::take(const volScalarField& T)
 
     waitingFromFluid_ += fromFluid_;
     waitingFromGrains_ += fromGrains_;
+    for (scalar& time : waitingTime_)
+    {
+        time += deltaT;
+    }
 }

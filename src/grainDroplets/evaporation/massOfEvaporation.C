@@ -73,7 +73,7 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
     if (saturated_)
     {
         diffused = saturated_->waiting(i);
-        flow = saturated_->toPass(i);
+        flow = mesh_.time().deltaTValue()*saturated_->toPass(i);
         // What condenses is known when it has left the gas
         const scalar mass0 =
             diffused
@@ -88,7 +88,11 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
     }
     else
     {
-        lost = max(heat, scalar(0))/latent;
+        // As fast as the heat has come, however short this step is
+        const scalar deltaT = mesh_.time().deltaTValue();
+        const scalar part = min(deltaT/max(waitingTime_[i], VSMALL), scalar(1));
+        waitingTime_[i] *= heat > 0 ? 1 - part : 0;
+        lost = part*max(heat, scalar(0))/latent;
         flow = lost;
         warnIfInDebt(-heat, latent*mass);
     }

@@ -175,7 +175,7 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
     forAll(diffused, i)
     {
         saturated_->diffuse(i, diffused[i] - notCarried_[i]);
-        saturated_->pass(i, through[i]);
+        saturated_->pass(i, through[i]/mesh_.time().deltaTValue());
         vapourStiffness_[i] *= saturated_->slope(temperature(i));
     }
 }

@@ -56,11 +56,7 @@ Foam::saturatedSurface::saturatedSurface
     checkCurve(dict);
     temperature_.resize(nDroplets, initial_);
     waiting_.resize(nDroplets, 0);
-    // A state without it had the flow of all that waits
-    for (label i = flow_.size(); i < nDroplets; ++i)
-    {
-        flow_.append(waiting_[i]/(1 - share(temperature_[i])));
-    }
+    flow_.resize(nDroplets, 0);
     left_.resize(nDroplets, 0);
 }
 

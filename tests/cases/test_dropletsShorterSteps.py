@@ -12,7 +12,8 @@ from saturated_box import in_humid_box
 
 def boiling(clone):
     """With a hot grain inside."""
-    case = with_heat(grain_box(clone, [(0.05, 0.055)], 0.004), T=600, grains=BOILING + 50, fluid=GAS)
+    case = grain_box(clone, [(0.05, 0.055)], 0.004)
+    with_heat(case, T=600, grains=BOILING + 50, fluid=GAS)
     make_gas(case)
     open_top(case)
     with_droplets(case, [(0.05, 0.055)], 0.02)

@@ -44,3 +44,33 @@ void Foam::resolvedGrains::forLinks(const Function& f) const
         }
     }
 }
+
+
+template<class Function>
+void Foam::resolvedGrains::forFluidFaces(const Function& f) const
+{
+    forLinks
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label patchi,
+            const label facei
+        )
+        {
+            if (own.isLocked() == nei.isLocked())
+            {
+                return;
+            }
+            if (own.isLocked())
+            {
+                f(own, nei, 1, patchi, facei);
+            }
+            else if (patchi < 0)
+            {
+                f(nei, own, -1, patchi, facei);
+            }
+        }
+    );
+}

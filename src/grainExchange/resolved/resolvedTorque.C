@@ -39,31 +39,18 @@ void Foam::resolvedGrains::addTorque
     vectorField viscous(grains_.size(), Zero);
     scalarField resistance(grains_.size(), Zero);
 
-    forLinks
+    forFluidFaces
     (
         [&]
         (
-            const side& own,
-            const side& nei,
+            const side& inGrain,
+            const side& inFluid,
+            const label sign,
             const label patchi,
             const label facei
         )
         {
-            // A coupled face belongs to the rank of the grain's cell
-            if
-            (
-                own.isLocked() == nei.isLocked()
-             || (patchi >= 0 && !own.isLocked())
-            )
-            {
-                return;
-            }
-            const side& inGrain = own.isLocked() ? own : nei;
-            const side& inFluid = own.isLocked() ? nei : own;
-            const vector f
-            (
-                (own.isLocked() ? 1 : -1)*resolvedFace::at(flux, patchi, facei)
-            );
+            const vector f(sign*resolvedFace::at(flux, patchi, facei));
             const label graini = label(inGrain.grain);
             const vector arm
             (
@@ -140,85 +127,52 @@ void Foam::resolvedGrains::addPressureTorque
     const scalarField displaced(meanOverGrains(grains_, rho.primitiveField()));
     const vector g(grains_.motion().g());
 
-    const auto forFaces = [&](const auto& visit)
-    {
-        forLinks
-        (
-            [&]
-            (
-                const side& own,
-                const side& nei,
-                const label patchi,
-                const label facei
-            )
-            {
-                // A coupled face belongs to the rank of the grain's cell
-                if
-                (
-                    own.isLocked() == nei.isLocked()
-                 || (patchi >= 0 && !own.isLocked())
-                )
-                {
-                    return;
-                }
-                const side& inGrain = own.isLocked() ? own : nei;
-                const side& inFluid = own.isLocked() ? nei : own;
-                const label graini = label(inGrain.grain);
-                if (grains_.members(graini).size() == 1)
-                {
-                    return;
-                }
-                const point x(resolvedFace::at(mesh_.Cf(), patchi, facei));
-                const vector arm
-                (
-                    between(grains_.centres()[graini], inGrain.x)
-                  + inMesh(x - inGrain.x)
-                );
-                // Without the weight of the mean density, which has no moment
-                const scalar rhof = resolvedFace::at(rhoOfFluid, patchi, facei);
-                const scalar excess =
-                    resolvedFace::at(pOfFluid, patchi, facei)
-                  + (1 - displaced[graini]/rhof)
-                   *(
-                        resolvedFace::at(ofWeight, patchi, facei)
-                      + rhof*(g & (x - inFluid.x))
-                    );
-                visit
-                (
-                    graini,
-                    arm,
-                    excess,
-                    (own.isLocked() ? 1 : -1)
-                   *resolvedFace::at(mesh_.Sf(), patchi, facei)
-                );
-            }
-        );
-    };
-
-    // Where other grains or walls are beside it the pressure is the mean
-    scalarField mean(grains_.size(), Zero), area(grains_.size(), VSMALL);
-    forFaces
-    (
-        [&](const label graini, const vector&, const scalar excess, const vector& S)
-        {
-            mean[graini] += mag(S)*excess;
-            area[graini] += mag(S);
-        }
-    );
-    sumOverRanks(mean);
-    sumOverRanks(area);
-    mean /= area;
-    forFaces
+    vectorField moment(grains_.size(), Zero), ofMean(moment);
+    scalarField sum(grains_.size(), Zero), area(grains_.size(), VSMALL);
+    forFluidFaces
     (
         [&]
         (
-            const label graini,
-            const vector& arm,
-            const scalar excess,
-            const vector& S
+            const side& inGrain,
+            const side& inFluid,
+            const label sign,
+            const label patchi,
+            const label facei
         )
         {
-            torque[graini] -= (excess - mean[graini])*(arm ^ S);
+            const label graini = label(inGrain.grain);
+            if (grains_.members(graini).size() == 1)
+            {
+                return;
+            }
+            const point x(resolvedFace::at(mesh_.Cf(), patchi, facei));
+            const vector S(sign*resolvedFace::at(mesh_.Sf(), patchi, facei));
+            const vector turn
+            (
+                (
+                    between(grains_.centres()[graini], inGrain.x)
+                  + inMesh(x - inGrain.x)
+                )
+              ^ S
+            );
+            // Without the weight of the mean density, which has no moment
+            const scalar rhof = resolvedFace::at(rhoOfFluid, patchi, facei);
+            const scalar excess =
+                resolvedFace::at(pOfFluid, patchi, facei)
+              + (1 - displaced[graini]/rhof)
+               *(
+                    resolvedFace::at(ofWeight, patchi, facei)
+                  + rhof*(g & (x - inFluid.x))
+                );
+            moment[graini] += excess*turn;
+            ofMean[graini] += turn;
+            sum[graini] += mag(S)*excess;
+            area[graini] += mag(S);
         }
     );
+    sumOverRanks(sum);
+    sumOverRanks(area);
+
+    // Where other grains or walls are beside it the pressure is the mean
+    torque -= moment - sum/area*ofMean;
 }

@@ -83,8 +83,8 @@ def test_a_rod_in_the_surface_turns_level(clone, angle):
 @pytest.mark.parametrize("kind", ["locked", "cutCells"])
 @pytest.mark.parametrize("density", [500, 1200, 8000])
 def test_a_wall_that_holds_leaves_a_third_of_the_spin(clone, kind, density):
-    """As of a disc without a fluid: none turns with it.  It had -4 times the spin at half of the
-    fluid's density, as what the wall did to such a fluid came back as spin."""
+    """As of a disc without a fluid.  It had -4 times the spin at half of the fluid's density, as
+    what the wall did to a fluid that turns with it, which none does, came back as spin."""
     case = spinning(clone, "disc", y=0.015, velocity=(0, -0.6), density=density, radius=0.01)
     resolved = f"\ncoupling\n{{\n    resolvedGrains {{ type {kind}; }}"
     replace(case, GRAINS, "\ncoupling\n{", resolved)

@@ -66,23 +66,26 @@ TYPED_TEST(Heaviness, MomentaAreKeptWithWhatIsOwed)
         return nscd::Vector<D>(all.mass[0] * all.velocity[0] + all.mass[1] * all.velocity[1] +
                                dynamics.owed().force[0] + dynamics.owed().force[1]);
     };
+    // The contact problem turns what is round as if it were as many times as heavy; nothing is owed of that
+    const std::vector<double> heaviness{2, 1.2};
     const auto spin = [&](int i)
     {
         const nscd::Grains<D>& all = dynamics.grains();
-        return nscd::Spin<D>(nscd::inertiaFactor<D> * all.mass[i] * all.spin[i] + dynamics.owed().torque[i]);
+        return nscd::Spin<D>(heaviness[i] * nscd::inertiaFactor<D> * all.mass[i] * all.spin[i]);
     };
     const nscd::Vector<D> before = momentum();
-    dynamics.setHeaviness({2, 1.2});
+    dynamics.setHeaviness(heaviness);
     fall<D>(dynamics, nscd::Vector<D>::Zero(), dt);
     EXPECT_GT(dynamics.owed().force[0].norm(), 0.1);
     EXPECT_LT((momentum() - before).norm(), 1e-12);
     // Both have the same angular impulse from friction
     EXPECT_GT(spin(0).norm(), 0.01);
     EXPECT_LT((spin(0) - spin(1)).norm(), 1e-12);
+    EXPECT_EQ(dynamics.owed().torque[0].norm(), 0);
 
     // Without a fluid that takes it, the grains have it after the next step
     fall<D>(dynamics, nscd::Vector<D>::Zero(), dt);
-    EXPECT_EQ(dynamics.owed().force[0].norm() + dynamics.owed().torque[0].norm(), 0);
+    EXPECT_EQ(dynamics.owed().force[0].norm(), 0);
     EXPECT_LT((momentum() - before).norm(), 1e-12);
     EXPECT_LT((spin(0) - spin(1)).norm(), 1e-12);
 }

@@ -49,12 +49,13 @@ struct Body
     Vector<D> velocity;
     Tangent<D> surfaceSpeed;   ///< radius times spin [m/s]
     double inverseMass;
+    double inverseInertia;     ///< of what is round: square of the radius over the moment of inertia [1/kg]
 };
 
 /// A contact with unit normal n from body i to body j; body j receives the impulse r_n n + r_t, body i its opposite.
 ///
 /// With the normal through both centres the local Delassus operator is diagonal,
-///     W_NN = 1/m_i + 1/m_j,   W_TT = (1 + 1/inertiaFactor) W_NN,
+///     W_NN = 1/m_i + 1/m_j,   W_TT = W_NN + (r^2/I)_i + (r^2/I)_j,
 /// so that the local Signorini-Coulomb problem has the closed solution of solve() (doc/theory, eq. 5.3 and 5.4).
 template <int D>
 struct Contact
@@ -68,8 +69,18 @@ struct Contact
     int i, j;
 };
 
+/// W_NN and W_TT of the local Delassus operator [1/kg].
 template <int D>
-constexpr double tangentFactor = 1 + 1 / inertiaFactor<D>;
+inline double normalW(const Body<D>& a, const Body<D>& b)
+{
+    return a.inverseMass + b.inverseMass;
+}
+
+template <int D>
+inline double tangentW(const Body<D>& a, const Body<D>& b)
+{
+    return a.inverseMass + b.inverseMass + (a.inverseInertia + b.inverseInertia);
+}
 
 /// Tangential part of the relative velocity at the contact point, j against i.
 inline double slip(const Contact<2>& c, const Body<2>& a, const Body<2>& b, const Vector<2>& relative)
@@ -126,11 +137,11 @@ template <int D>
 inline void apply(const Contact<D>& c, Body<D>& a, Body<D>& b, double normal, const Tangent<D>& tangential)
 {
     const Vector<D> impulse = impulseVector(c.normal, normal, tangential);
-    const Tangent<D> spinning = turn(c.normal, tangential) * (1 / inertiaFactor<D>);
+    const Tangent<D> spinning = turn(c.normal, tangential);
     a.velocity -= a.inverseMass * impulse;
     b.velocity += b.inverseMass * impulse;
-    a.surfaceSpeed -= a.inverseMass * spinning;
-    b.surfaceSpeed -= b.inverseMass * spinning;
+    a.surfaceSpeed -= a.inverseInertia * spinning;
+    b.surfaceSpeed -= b.inverseInertia * spinning;
 }
 
 /// Solve the contact for the present velocities of its bodies and update them:
@@ -142,10 +153,11 @@ template <int D>
     Body<D>& a = bodies[c.i];
     Body<D>& b = bodies[c.j];
     const Vector<D> relative = b.velocity - a.velocity;
+    const double tangent = tangentW(a, b);
     const double normal =
         std::max(0.0, c.normalImpulse - (relative.dot(c.normal) + c.approachLimit) * c.inverseW);
-    const Tangent<D> tangential = limited(
-        c.slipImpulse - slip(c, a, b, relative) * (c.inverseW * (1 / tangentFactor<D>)), c.friction * normal);
+    const Tangent<D> tangential =
+        limited(c.slipImpulse - slip(c, a, b, relative) * (1 / tangent), c.friction * normal);
 
     const double normalChange = normal - c.normalImpulse;
     const Tangent<D> tangentialChange = tangential - c.slipImpulse;
@@ -153,9 +165,8 @@ template <int D>
     c.slipImpulse = tangential;
     apply<D>(c, a, b, normalChange, tangentialChange);
 
-    const double w = a.inverseMass + b.inverseMass;
-    constexpr double f = tangentFactor<D> * tangentFactor<D>;
-    return w * w * std::max(normalChange * normalChange, f * squaredNorm(tangentialChange));
+    const double w = normalW(a, b);
+    return std::max(w * w * normalChange * normalChange, tangent * tangent * squaredNorm(tangentialChange));
 }
 
 /// An overlap to be removed by moving the two bodies apart along the normal, without a change of velocity.
@@ -182,7 +193,7 @@ inline double separate(Overlap<D>& o, Body<D>* bodies)
     o.push = push;
     a.velocity -= (change * a.inverseMass) * o.normal;
     b.velocity += (change * b.inverseMass) * o.normal;
-    const double w = a.inverseMass + b.inverseMass;
+    const double w = normalW(a, b);
     return w * w * change * change;
 }
 
@@ -200,15 +211,15 @@ inline double residual(const Contact<D>& c, const Body<D>* bodies)
 {
     const Body<D>& a = bodies[c.i];
     const Body<D>& b = bodies[c.j];
-    const double w = a.inverseMass + b.inverseMass;
+    const double w = normalW(a, b), tangent = tangentW(a, b);
     const Vector<D> relative = b.velocity - a.velocity;
     const double normalVelocity = relative.dot(c.normal) + c.approachLimit;
     const Tangent<D> slipVelocity = slip(c, a, b, relative);
 
     const double normalDefect = w * c.normalImpulse - std::max(0.0, w * c.normalImpulse - normalVelocity);
-    const Tangent<D> scaled = tangentFactor<D> * w * c.slipImpulse;
+    const Tangent<D> scaled = tangent * c.slipImpulse;
     const Tangent<D> slipDefect =
-        scaled - limited(Tangent<D>(scaled - slipVelocity), tangentFactor<D> * w * c.friction * c.normalImpulse);
+        scaled - limited(Tangent<D>(scaled - slipVelocity), tangent * c.friction * c.normalImpulse);
     return std::max(normalDefect * normalDefect, squaredNorm(slipDefect));
 }
 

@@ -58,7 +58,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
-        flyers_[k].body = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
+        flyers_[k].body = freeBody(i);
         launches_[k].push = free_.velocity[i] - grains_.velocity[i];
         launches_[k].drift = grains_.position[i] - candidates_.positions()[i];
         launches_[k].viscosity = viscosity_.empty() ? 0 : viscosity_[i];
@@ -80,14 +80,14 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         if (isFree(wall))
         {
             const FreeWall<D> free(wall, dt);
-            flyers_[k].body = {free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass};
+            flyers_[k].body = {free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass, 0};
             launches_[k].push = free.velocity - wall.velocity;
             launches_[k].drift = wall.position - candidateWalls_[b].position;
             data_.turning.push_back(free.turning);
             ++k;
         }
     }
-    flyers_[k].body = {Vector<D>::Zero(), zeroTangent<D>(), 0};
+    flyers_[k].body = {Vector<D>::Zero(), zeroTangent<D>(), 0, 0};
 }
 
 template <int D>
@@ -235,7 +235,7 @@ void ContactDynamics<D>::Implementation::land(double dt)
 template <int D>
 void ContactDynamics<D>::Implementation::placeAtEnds(double dt)
 {
-    data_.ahead.assign(candidates_.fixedBody() + 1, {Vector<D>::Zero(), zeroTangent<D>(), 0});
+    data_.ahead.assign(candidates_.fixedBody() + 1, {Vector<D>::Zero(), zeroTangent<D>(), 0, 0});
     Vectors<D> positions = grains_.position;
     Orientations<D> orientations = grains_.orientation;
     for (std::size_t i = 0; i < grains_.size(); ++i)

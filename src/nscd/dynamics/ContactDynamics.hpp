@@ -149,9 +149,9 @@ public:
     /// a wall; the message names the grain.
     StepReport step(const Vectors<D>& force, const Spins<D>& torque, double dt);
 
-    /// From now on each grain meets others as if it and its moments of inertia were this many times as heavy, at least
-    /// 1: something moves with it, as the fluid around it does.  What contacts give to that is owed(), but for the spin
-    /// of what is round: with that nothing turns, and it is lost.  Until grains come or a state is loaded; throws
+    /// From now on each grain meets others as if it were this many times as heavy, at least 1, and the moments of
+    /// inertia of a cluster as many times as large: something moves with it, as the fluid around it does, but does not
+    /// turn with what is round.  What contacts give to that is owed().  Until grains come or a state is loaded; throws
     /// std::invalid_argument for another number of values or one below 1.
     void setHeaviness(std::vector<double> heaviness);
 

@@ -54,7 +54,7 @@ void ContactDynamics<D>::Implementation::dumpContactProblem(const std::string& f
         const Body<D>& b = bodies_[k];
         const SpinMatrix<D> inverse =
             levered_ ? data_.turning[k].inverse
-                     : SpinMatrix<D>(SpinMatrix<D>::Identity() * (b.inverseMass / inertiaFactor<D>));
+                     : SpinMatrix<D>(SpinMatrix<D>::Identity() * b.inverseInertia);
         bodies.push_back({Vector<D>::Zero(), b.velocity, toSpin(b.surfaceSpeed), b.inverseMass, inverse});
     }
     std::vector<ContactPoint<D>> contacts;

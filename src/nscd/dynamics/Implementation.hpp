@@ -91,10 +91,10 @@ private:
     double owedPart(std::size_t i) const;
     double owedPartOfTorque(std::size_t i) const;
 
-    /// Inverse of the mass with which a grain meets others [1/kg].
-    double inverseMass(std::size_t i) const { return 1 / (grains_.mass[i] * heaviness_[i]); }
+    /// A grain with its velocities without contacts, as it meets others.
+    Body<D> freeBody(std::size_t i) const;
 
-    /// Of its moments of inertia: nothing turns with a disc or sphere.
+    /// Of a grain's moments of inertia: nothing turns with a disc or sphere.
     double heavinessOfTurning(std::size_t i) const { return grains_.shape[i] < 0 ? 1 : heaviness_[i]; }
 
     /// Forces and torques of a step with those that make up for the heaviness: what is owed to the grains, and what

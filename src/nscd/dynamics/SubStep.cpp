@@ -121,6 +121,14 @@ void ContactDynamics<D>::Implementation::refusePassedWalls(const std::vector<Pas
 }
 
 template <int D>
+Body<D> ContactDynamics<D>::Implementation::freeBody(std::size_t i) const
+{
+    const double m = grains_.mass[i];
+    return {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), 1 / (heaviness_[i] * m),
+            1 / (heavinessOfTurning(i) * inertiaFactor<D> * m)};
+}
+
+template <int D>
 void ContactDynamics<D>::Implementation::makeBodies(double dt)
 {
     bodies_.resize(grains_.size());
@@ -128,7 +136,7 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
-        bodies_[k] = {free_.velocity[i], surfaceSpeed<D>(free_.spin[i], grains_.radius[i]), inverseMass(i)};
+        bodies_[k] = freeBody(i);
         if (levered_)
         {
             data_.turning[k] = turningOf(grains_, i, heavinessOfTurning(i));
@@ -139,11 +147,11 @@ void ContactDynamics<D>::Implementation::makeBodies(double dt)
         if (isFree(wall))
         {
             const FreeWall<D> free(wall, dt);
-            bodies_.push_back({free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass});
+            bodies_.push_back({free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass, 0});
             data_.turning.push_back(free.turning);
         }
     }
-    bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0});
+    bodies_.push_back({Vector<D>::Zero(), zeroTangent<D>(), 0, 0});
 }
 
 template <int D>

@@ -46,18 +46,16 @@ Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double
     return plastic + std::min(1.0, theta) * step;
 }
 
-/// The same for a contact with its normal through both centres: W is diagonal (doc/theory, eq. 5.13),
-/// inverseMass its W_NN.
+/// The same for a contact with its normal through both centres: W is diagonal (doc/theory, eq. 5.13).
 template <int D>
 Contact<D> centralImpact(const Vector<D>& normal, const Vector<D>& relative, const Body<D>& a, const Body<D>& b,
                          double mu, double e)
 {
     Contact<D> c{};
     c.normal = normal;
-    c.inverseW = 1 / (a.inverseMass + b.inverseMass);
+    c.inverseW = 1 / normalW(a, b);
     c.normalImpulse = std::max(0.0, -(1 + e) * relative.dot(normal) * c.inverseW);
-    c.slipImpulse = limited(Tangent<D>(slip(c, a, b, relative) * (-c.inverseW / tangentFactor<D>)),
-                            mu * c.normalImpulse);
+    c.slipImpulse = limited(Tangent<D>(slip(c, a, b, relative) * (-1 / tangentW(a, b))), mu * c.normalImpulse);
     return c;
 }
 

@@ -85,7 +85,7 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             const WallBody<D>& wall = wallBodies_[wallBody];
             const Vector<D> arm = arrangement_.contactPoint(pair, *approach) - wall.position;
             Flyer<D> point;
-            point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), zeroTangent<D>(), 0};
+            point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), zeroTangent<D>(), 0, 0};
             closest = dt_ * (fastest_ + (usual_ - point.body.velocity).norm());
             item.j = static_cast<int>(flyers.size());
             flyers.push_back(point);
@@ -141,7 +141,7 @@ void Impacts<D>::addLever(const Item& item, Details& details, const Pair& pair, 
                                                            wallBodies_[arrangement_.wallBody(~pair.second)].position);
         c.armJ = arm / c.turningJ.length;
     }
-    assemble(c, flyers[c.i].body.inverseMass + flyers[c.j].body.inverseMass);
+    assemble(c, normalW(flyers[c.i].body, flyers[c.j].body));
 }
 
 template <int D>

@@ -101,7 +101,7 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
                 continue;
             }
             contacts_.push_back({approach.normal, approachLimit(p, gap),
-                                 1 / (bodies[i].inverseMass + bodies[j].inverseMass),
+                                 1 / normalW(bodies[i], bodies[j]),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
                                  inTangentPlane<D>(impulses[p].tangential, approach.normal), i, j});
             origin_.push_back(origin);
@@ -122,7 +122,7 @@ int ContactProblem<D>::secondBody(const Pair& pair, const Approach<D>& approach,
     const WallBody<D>& wall = wallBodies_[wallBody];
     const Vector<D> arm = arrangement_.contactPoint(pair, approach) - wall.position;
     // The velocity is that at the contact: only resistance to rolling asks for the spin besides
-    bodies.push_back({wallVelocity(wallBody, arm), isLevered(pair) ? toTangent(wall.spin) : zeroTangent<D>(), 0});
+    bodies.push_back({wallVelocity(wallBody, arm), isLevered(pair) ? toTangent(wall.spin) : zeroTangent<D>(), 0, 0});
     return static_cast<int>(bodies.size()) - 1;
 }
 
@@ -263,7 +263,7 @@ void ContactProblem<D>::addLevered(const Pair& pair, const Approach<D>& approach
     c.rollingLength = parameters.rolling * arrangement_.effectiveRadius(pair);
     c.impulse = c.frame.transpose() * impulseVector(approach.normal, impulse.normal, impulse.tangential);
     c.moment = inTangentPlane<D>(impulse.rolling, approach.normal);
-    assemble(c, bodies[c.i].inverseMass + bodies[j].inverseMass);
+    assemble(c, normalW(bodies[c.i], bodies[j]));
 }
 
 template <int D>

@@ -180,7 +180,7 @@ private:
 
     /// f(group, number, weight) for the numbers of all contacts.
     template <class F>
-    void forGroups(bool overlaps, F&& f);
+    void forGroups(const std::vector<Body<D>>& bodies, bool overlaps, F&& f);
 
     /// Place of a pair's second body; makes one for the point of contact of a moving wall.
     int secondBody(const Pair& pair, const Approach<D>& approach, std::vector<Body<D>>& bodies) const;

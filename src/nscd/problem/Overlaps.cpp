@@ -24,7 +24,7 @@ Depths ContactProblem<D>::measureOverlaps(const std::vector<Body<D>>& bodies, do
         depths.deep = depths.deep || velocity < slow;
         depths.worst = std::max(depths.worst, -velocity);
         depths.spared = std::max(depths.spared, removed - velocity);
-        overlaps_.push_back({normal, removed, 1 / (bodies[c.i].inverseMass + bodies[c.j].inverseMass), 0, c.i, c.j});
+        overlaps_.push_back({normal, removed, 1 / normalW(bodies[c.i], bodies[c.j]), 0, c.i, c.j});
         listed_[origin.pair] = 1;
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
@@ -103,8 +103,7 @@ double ContactProblem<D>::addPushed(const std::vector<Body<D>>& bodies, const st
             {
                 largest = std::max(largest, depth);
                 listed_[p] = 1;
-                const double inverseW = 1 / (bodies[i].inverseMass + bodies[j].inverseMass);
-                pushed.push_back({opening->normal, velocity, inverseW, 0, i, j});
+                pushed.push_back({opening->normal, velocity, 1 / normalW(bodies[i], bodies[j]), 0, i, j});
             }
         }
     }

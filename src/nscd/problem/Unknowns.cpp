@@ -25,11 +25,11 @@ void forNumbers(V& values, F&& f)
 
 /// f(number, weight) for the unknowns of a contact; the weight makes it a velocity.
 template <int D, class F>
-void forUnknowns(Contact<D>& c, F&& f)
+void forUnknowns(Contact<D>& c, const std::vector<Body<D>>& bodies, F&& f)
 {
-    const double w = 1 / c.inverseW;
-    f(c.normalImpulse, w);
-    forNumbers(c.slipImpulse, [&](double& x) { f(x, tangentFactor<D> * w); });
+    const Body<D>&a = bodies[c.i], &b = bodies[c.j];
+    f(c.normalImpulse, normalW(a, b));
+    forNumbers(c.slipImpulse, [&](double& x) { f(x, tangentW(a, b)); });
 }
 
 template <int D, class F>
@@ -65,14 +65,14 @@ void forVelocities(std::vector<Body<D>>& bodies, std::size_t begin, std::size_t 
 
 template <int D>
 template <class F>
-void ContactProblem<D>::forGroups(bool overlaps, F&& f)
+void ContactProblem<D>::forGroups(const std::vector<Body<D>>& bodies, bool overlaps, F&& f)
 {
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
         const Begin &from = begin_[g], &to = begin_[g + 1];
         for (std::size_t k = from.contact; !overlaps && k < to.contact; ++k)
         {
-            forUnknowns<D>(contacts_[k], [&](double& x, double w) { f(g, x, w); });
+            forUnknowns<D>(contacts_[k], bodies, [&](double& x, double w) { f(g, x, w); });
         }
         for (std::size_t k = from.levered; !overlaps && k < to.levered; ++k)
         {
@@ -92,7 +92,7 @@ void ContactProblem<D>::get(Unknowns& u, std::vector<Body<D>>& bodies, bool over
     u.values.clear();
     u.weights.clear();
     u.ranges.clear();
-    forGroups(overlaps,
+    forGroups(bodies, overlaps,
               [&](std::size_t group, double& x, double weight)
               {
                   const int block = candidates_.groups()[group].first;
@@ -112,7 +112,7 @@ void ContactProblem<D>::set(const Unknowns& u, std::vector<Body<D>>& bodies, boo
                             std::size_t end)
 {
     auto value = u.values.begin();
-    forGroups(overlaps, [&](std::size_t, double& x, double) { x = *value++; });
+    forGroups(bodies, overlaps, [&](std::size_t, double& x, double) { x = *value++; });
     forVelocities<D>(bodies, begin, end, [&](double& x) { x = *value++; });
 }
 

@@ -4,6 +4,7 @@
 
 import numpy as np
 import pytest
+from foamlib import FoamFieldFile
 from grain_box import control, grain_box, open_ends, replace
 
 SPEED = 0.1
@@ -68,3 +69,11 @@ def test_height_of_reference_is_read(clone):
     p_rgh, p = case.field("p_rgh"), case.field("p")
     heights = np.repeat(np.arange(10) * 0.01 + 0.005, 10)
     np.testing.assert_allclose(p - p_rgh, 9810 * (0.1 - heights), rtol=1e-6)
+
+
+def test_pressure_of_a_patch_is_that_of_its_height(clone):
+    case = channel(clone)
+    replace(case, "constant/g", "(0 0 0)", "(0 -9.81 0)")
+    case.run("grainFoam")
+    p = FoamFieldFile(case.path / case.times[-1] / "p").boundary_field["top"].value
+    np.testing.assert_allclose(p, -981, rtol=1e-9)

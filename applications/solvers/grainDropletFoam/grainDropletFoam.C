@@ -114,7 +114,7 @@ int main(int argc, char *argv[])
 
         flow.setVolumeSource(boiling.volumeSource());
         flow.startStep();
-        flow.predict(piso.momentumPredictor());
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);
@@ -141,6 +141,7 @@ int main(int argc, char *argv[])
 
         // As a restart will find it
         fluid.correct();
+        flow.densityChanged();
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());

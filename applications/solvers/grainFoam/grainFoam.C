@@ -90,7 +90,7 @@ int main(int argc, char *argv[])
         fluid.correct();
 
         flow.startStep();
-        flow.predict(piso.momentumPredictor());
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);

@@ -93,7 +93,7 @@ int main(int argc, char *argv[])
         exchange.predict(fields.U);
 
         flow.startStep();
-        flow.predict(piso.momentumPredictor());
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);
@@ -110,6 +110,7 @@ int main(int argc, char *argv[])
         (
             carried.flux(), exchange.eps(), exchange.resolved().locked()
         );
+        flow.densityChanged();
 
         ledger.endStep(fields.phi, fields.phiU);
         liquidBooks.endStep(fields.phiU);

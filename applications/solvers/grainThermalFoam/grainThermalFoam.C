@@ -100,7 +100,7 @@ int main(int argc, char *argv[])
         exchange.predict(fields.U);
 
         flow.startStep();
-        flow.predict(piso.momentumPredictor());
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);
@@ -116,6 +116,7 @@ int main(int argc, char *argv[])
 
         // As a restart will find it
         fluid.correct();
+        flow.densityChanged();
 
         ledger.endStep(fields.phi, fields.phiU);
         heatBooks.endStep(carried.flux());

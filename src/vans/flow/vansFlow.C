@@ -57,6 +57,7 @@ Foam::vansFlow::vansFlow
     options_(optionsOf(mesh_)),
     control_(control),
     g_(g),
+    gh_(heightTimesGravity()),
     p_
     (
         IOobject
@@ -67,7 +68,7 @@ Foam::vansFlow::vansFlow
             IOobject::NO_READ,
             IOobject::AUTO_WRITE
         ),
-        fields.p_rgh
+        fields.p_rgh + fluid.rhoWeight()*gh_()
     ),
     pRefCell_(0),
     pRefValue_(0),
@@ -79,9 +80,6 @@ Foam::vansFlow::vansFlow
         dimensionedVector(dimPressure/dimLength, Zero)
     )
 {
-    setHeight();
-    p_ += fluid.rhoWeight()*gh_();
-
     // Before the first step, for its check of ddtSchemes
     isSecondOrderInTime(mesh_);
 
@@ -90,9 +88,9 @@ Foam::vansFlow::vansFlow
 }
 
 
-void Foam::vansFlow::setHeight()
+Foam::volScalarField* Foam::vansFlow::heightTimesGravity() const
 {
-    gh_.reset(new volScalarField("gh", (g_ & mesh_.C()) - ghRef(mesh_, g_)));
+    return new volScalarField("gh", (g_ & mesh_.C()) - ghRef(mesh_, g_));
 }
 
 

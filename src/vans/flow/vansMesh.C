@@ -68,7 +68,7 @@ void Foam::vansFlow::beforeMeshChange()
 
 void Foam::vansFlow::meshChanged()
 {
-    setHeight();
+    gh_.reset(heightTimesGravity());
     fields_.U.correctBoundaryConditions();
 
     // The fluxes of the step's beginning, through the faces as they are now

@@ -9,12 +9,27 @@
 
 #include "ddtScheme.H"
 #include "fvCFD.H"
+#include "gaussConvectionScheme.H"
+#include "localMax.H"
 #include "reconstruction.H"
+#include "upwind.H"
 
 namespace
 {
 
 using namespace Foam;
+
+//- From 0 to 1 between two values
+tmp<scalarField> rising
+(
+    const scalarField& x,
+    const scalar from,
+    const scalar to
+)
+{
+    return min(max((x - from)/(to - from), scalar(0)), scalar(1));
+}
+
 
 //- Rate of change of the cells' volumes by the scheme of U, over the volume
 tmp<volScalarField> ddtOfOne(const volVectorField& U)
@@ -58,14 +73,52 @@ tmp<surfaceScalarField> besideLocked
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::upwindShare() const
+{
+    const stepCoefficients& step = *step_;
+    const scalarField courant
+    (
+        0.5*mesh_.time().deltaTValue()
+       *fvc::surfaceSum(mag(step.massFlux))().primitiveField()
+       /((step.eps*fluid_.rho())().primitiveField()*mesh_.V())
+    );
+    const scalarField fluid
+    (
+        step.eps.primitiveField()
+       /max(resolved_.open()().primitiveField(), exchangeFields::epsMin)
+    );
+    volScalarField share("upwindShare", 0*step.eps);
+    share.primitiveFieldRef() =
+        (1 - resolved_.locked()().field())
+       *rising(courant, 0.05, 0.25)
+       *rising(-fluid, -0.4, -0.3);
+    share.correctBoundaryConditions();
+    return localMax<scalar>(mesh_).interpolate(share);
+}
+
+
 Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 {
-    const surfaceScalarField& flux = step_->massFlux;
     const volVectorField& U = fields_.U;
+    const surfaceScalarField& flux = step_->massFlux;
+    const surfaceScalarField upwinded(upwindShare()*flux);
+    const surfaceScalarField byScheme(flux.name(), flux - upwinded);
 
     return
         (1 - resolved_.locked()())
-       *(fvm::div(flux, U) - fvm::Sp(fvc::div(flux), U));
+       *(
+            fvm::div(byScheme, U)
+          + fv::gaussConvectionScheme<vector>
+            (
+                mesh_,
+                upwinded,
+                tmp<surfaceInterpolationScheme<vector>>
+                (
+                    new upwind<vector>(mesh_, upwinded)
+                )
+            ).fvmDiv(upwinded, U)
+          - fvm::Sp(fvc::div(flux), U)
+        );
 }
 
 
@@ -179,7 +232,45 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
 }
 
 
-void Foam::vansFlow::predict(const bool solves)
+bool Foam::vansFlow::mayPredict(const label correctors) const
+{
+    const surfaceScalarField nu(step_->muf/fvc::interpolate(fluid_.rho()));
+    const scalar diffusion =
+        gMax((nu.primitiveField()*sqr(mesh_.deltaCoeffs().primitiveField()))())
+       *mesh_.time().deltaTValue();
+    if (diffusion <= 1)
+    {
+        return true;
+    }
+
+    const scalar thickest = gMax
+    (
+        (step_->mu.primitiveField()/fluid_.muStress().primitiveField())()
+    );
+    const scalar needed =
+        thickest > 2 ? 1 + 2*sqrt(diffusion) : diffusion > 2 ? 3 : 0;
+    if (correctors < needed && !saysFew_)
+    {
+        saysFew_ = true;
+        Info<< "Momentum  nu deltaT/h^2 is " << diffusion << " in some cell";
+        if (thickest > 2)
+        {
+            Info<< ", and grains make the viscosity " << thickest
+                << " times the fluid's: no predictor with less than "
+                << label(ceil(needed)) << " nCorrectors";
+        }
+        else
+        {
+            Info<< ": with a predictor the pressure may grow without bound,"
+                << " take 3 nCorrectors or more, or shorter steps";
+        }
+        Info<< " (said once)" << endl;
+    }
+    return thickest <= 2 || correctors >= needed;
+}
+
+
+void Foam::vansFlow::predict(const pimpleControl& control)
 {
     const volScalarField& p_rgh = fields_.p_rgh;
 
@@ -194,7 +285,7 @@ void Foam::vansFlow::predict(const bool solves)
     const volVectorField force(pressureForce(gradient));
     gradP_ = force/step_->share;
 
-    if (solves)
+    if (control.momentumPredictor() && mayPredict(control.nCorrPISO()))
     {
         resolved_.predict(*UEqn_, force);
         options_.correct(fields_.U);

@@ -206,6 +206,27 @@ void Foam::vansFlow::setPressure()
 }
 
 
+void Foam::vansFlow::densityChanged()
+{
+    const bool hasGrains =
+        resolved_.isActive() || gMin(step_->eps.primitiveField()) < 1;
+    if (!hasGrains || !step_->faceForce.valid())
+    {
+        return;
+    }
+    volScalarField& p_rgh = fields_.p_rgh;
+    volScalarField kept("kept", p_ - fluid_.rhoWeight()*gh_());
+    forAll(p_rgh.boundaryField(), patchi)
+    {
+        if (p_rgh.boundaryField()[patchi].fixesValue())
+        {
+            kept.boundaryFieldRef()[patchi] = p_rgh.boundaryField()[patchi];
+        }
+    }
+    p_rgh == kept;
+}
+
+
 void Foam::vansFlow::correct(pimpleControl& control)
 {
     volVectorField& U = fields_.U;

@@ -259,7 +259,7 @@ TEST_P(Stratified, FluidStaysAtRestAmongGrains)
     {
         case_.time()++;
         flow.startStep();
-        flow.predict(true);
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);

@@ -105,7 +105,7 @@ int main(int argc, char *argv[])
         exchange.set(runTime.value());
 
         flow.startStep();
-        flow.predict(piso.momentumPredictor());
+        flow.predict(piso);
         while (piso.correct())
         {
             flow.correct(piso);

@@ -131,9 +131,10 @@ TYPED_TEST(LocalSolve, EqualsTheClosedFormOfDiscsAndSpheres)
             body.velocity = randomVector<D>(random);
             body.surfaceSpeed = nscd::zeroTangent<D>();
             body.inverseMass = random.uniform(0.1, 10);
+            body.inverseInertia = random.uniform(0.1, 30);
         }
         const double w = bodies[0].inverseMass + bodies[1].inverseMass;
-        Block<D> W = Block<D>::Identity() * nscd::tangentFactor<D> * w;
+        Block<D> W = Block<D>::Identity() * (w + bodies[0].inverseInertia + bodies[1].inverseInertia);
         W(0, 0) = w;
         nscd::Contact<D> contact{Vector<D>::Unit(0), 0, 1 / w, random.uniform(0, 1), 0, nscd::zeroTangent<D>(), 0, 1};
         const Vector<D> q = bodies[1].velocity - bodies[0].velocity;

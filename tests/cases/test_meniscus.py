@@ -15,10 +15,10 @@ CAPILLARY = 0.012
 SIGMA = (WATER - AIR) * 9.81 * CAPILLARY**2
 
 
-def cylinder(clone, n, angle):
+def cylinder(clone, n, angle, above=0.0):
     """In a box of half the height, n cells wide, of fluids that are viscous enough to rest soon."""
     case = clone("grainBox")
-    write_csv(case, [(SIZE / 2, HEIGHT)], RADIUS)
+    write_csv(case, [(SIZE / 2, HEIGHT + above)], RADIUS)
     for z in ("0", "0.01"):
         for x in ("0.1", "0  "):
             replace(case, "system/blockMeshDict", f"({x} 0.1 {z})", f"({x} 0.05 {z})")

@@ -76,13 +76,16 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::faceForce() const
     {
         heights = levels_.heights(alpha(), heights, weight_.reference());
     }
+    return weight_.force(rho_, heights()) - tensionOfFaces()*mesh_.magSf();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::tensionOfFaces() const
+{
     return
-        weight_.force(rho_, heights())
-      - (
-            keptTension_.valid()
-          ? tmp<surfaceScalarField>(keptTension_())
-          : mixture_.surfaceTensionForce()
-        )*mesh_.magSf();
+        keptTension_.valid()
+      ? tmp<surfaceScalarField>(keptTension_())
+      : mixture_.surfaceTensionForce();
 }
 
 

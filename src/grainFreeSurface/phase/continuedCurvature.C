@@ -8,6 +8,7 @@
 #include "fvc.H"
 #include "gaussLaplacianScheme.H"
 #include "localMin.H"
+#include "spreadToNeighbours.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace
@@ -24,33 +25,6 @@ volScalarField ofCells(const fvMesh& mesh, const word& name)
         dimensionedScalar(dimless, Zero),
         zeroGradientFvPatchScalarField::typeName
     );
-}
-
-
-//- To the neighbours of cells that have 1
-void spread(volScalarField& isIn)
-{
-    const fvMesh& mesh = isIn.mesh();
-    isIn.correctBoundaryConditions();
-    const scalarField before(isIn.primitiveField());
-    forAll(mesh.neighbour(), facei)
-    {
-        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
-        isIn[P] = max(isIn[P], before[N]);
-        isIn[N] = max(isIn[N], before[P]);
-    }
-    for (const fvPatchScalarField& patch : isIn.boundaryField())
-    {
-        if (patch.coupled())
-        {
-            const scalarField beyond(patch.patchNeighbourField());
-            forAll(beyond, i)
-            {
-                scalar& value = isIn[patch.patch().faceCells()[i]];
-                value = max(value, beyond[i]);
-            }
-        }
-    }
 }
 
 }
@@ -74,7 +48,7 @@ Foam::tmp<Foam::volScalarField> Foam::continuedFraction::continuedTension
     }
     for (label i = 0; i < reach; ++i)
     {
-        spread(near);
+        spreadToNeighbours(near);
     }
 
     const scalarField alpha

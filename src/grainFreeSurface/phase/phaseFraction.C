@@ -14,6 +14,7 @@
 #include "gaussConvectionScheme.H"
 #include "gaussLaplacianScheme.H"
 #include "upwind.H"
+#include "tensionOnGrains.H"
 
 Foam::phaseFraction::phaseFraction
 (
@@ -25,6 +26,7 @@ Foam::phaseFraction::phaseFraction
 )
 :
     fluid_(fluid),
+    grains_(grains),
     continued_(fluid.levels(), grains, g.value()),
     nCorr_(readControl(fluid.alpha(), "nAlphaCorr", 1)),
     nSubCycles_(readControl(fluid.alpha(), "nAlphaSubCycles", 1)),
@@ -39,7 +41,14 @@ Foam::phaseFraction::phaseFraction
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps, locked);
     fluid.correct();
-    continued_.correctSurface(fluid);
+    setTension(locked);
+}
+
+
+void Foam::phaseFraction::setTension(const volScalarField& locked)
+{
+    continued_.correctSurface(fluid_);
+    fluid_.setForceOnGrains(tensionOnGrains(fluid_, grains_, locked));
 }
 
 
@@ -248,7 +257,7 @@ void Foam::phaseFraction::carry
 
     // A contact angle and the fraction at its wall follow each other: as often as
     // in interFoam
-    continued_.correctSurface(fluid_);
+    setTension(locked);
 
     liquid_ = continued_.liquid(alpha, end);
     broughtIn_ = gSum(filled*mesh.V().field());
@@ -305,5 +314,5 @@ void Foam::phaseFraction::meshChanged
     alpha.correctBoundaryConditions();
     content_.clear();
     fluid_.correct();
-    continued_.correctSurface(fluid_);
+    setTension(locked);
 }

@@ -153,6 +153,11 @@ void Foam::vansFlow::setMomentumEquation()
     );
     fvVectorMatrix& UEqn = *UEqn_;
 
+    const tmp<volVectorField> onGrains(fluid_.forceOnGrains());
+    if (onGrains.valid())
+    {
+        UEqn -= resolved_.locked()*onGrains();
+    }
     if (step.wallDrag.valid())
     {
         UEqn += fvm::Sp(step.eps*step.wallDrag(), U);
@@ -234,6 +239,11 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
 
 bool Foam::vansFlow::mayPredict(const label correctors) const
 {
+    if (!fields_.areOfStep && hasWeightAndGrains())
+    {
+        return false;
+    }
+
     const surfaceScalarField nu(step_->muf/fvc::interpolate(fluid_.rho()));
     const scalar diffusion =
         gMax((nu.primitiveField()*sqr(mesh_.deltaCoeffs().primitiveField()))())

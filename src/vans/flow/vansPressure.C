@@ -206,11 +206,17 @@ void Foam::vansFlow::setPressure()
 }
 
 
+bool Foam::vansFlow::hasWeightAndGrains() const
+{
+    return
+        step_->faceForce.valid()
+     && (resolved_.isActive() || gMin(step_->eps.primitiveField()) < 1);
+}
+
+
 void Foam::vansFlow::densityChanged()
 {
-    const bool hasGrains =
-        resolved_.isActive() || gMin(step_->eps.primitiveField()) < 1;
-    if (!hasGrains || !step_->faceForce.valid())
+    if (!hasWeightAndGrains())
     {
         return;
     }

@@ -65,9 +65,9 @@ def sections(cell, low, first, last, high):
 def settings(shape, cell, width):
     half = width / 2
     if shape == "disc":
-        # Ends before vortices are shed
+        # Vortices are shed from half of it on
         around = (0, half - 2, half + 2, width)
-        return falling(cell, around, (0, 8, 18, 30), (half, 16, 0), 40 * D / SPEED)
+        return falling(cell, around, (0, 8, 26, 38), (half, 24, 0), 80 * D / SPEED)
     if cell > 0.25:
         return at_rest(cell, width)
     around = (0, half - 1.5, half + 1.5, width)

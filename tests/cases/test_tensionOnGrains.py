@@ -13,7 +13,7 @@ from grain_box import (
     tracks,
     write_csv,
 )
-from test_meniscus import CAPILLARY, HEIGHT, RADIUS, cylinder, surface
+from test_meniscus import CAPILLARY, HEIGHT, RADIUS, SIZE, cylinder, surface
 from water_box import AIR, WATER, set_water, to_two_fluids
 
 G = 9.81
@@ -113,3 +113,32 @@ def test_drop_and_grain_do_not_leave_together(clone):
         alpha = case.field("alpha.water", time)
         velocity = (case.field("U", time) * alpha[:, None]).sum(axis=0) / alpha.sum()
         assert np.linalg.norm(velocity) < 0.006
+
+
+def tilted(clone, name):
+    """A disc that floats up beside the middle."""
+    case = cylinder(clone, 40, 60, above=0.001)
+    moved = case.path.with_name(name)
+    case.path.rename(moved)
+    case.path = moved
+    replace(case, GRAINS, " motion fixed;", "")
+    replace(case, GRAINS, "density 2500;", "density 700;")
+    grains = case.path / "constant/grains.csv"
+    grains.write_text(grains.read_text().replace(repr(SIZE / 2), repr(SIZE / 2 + 0.0007)))
+    control(case, deltaT=5e-4, endTime=0.04, writeInterval=40)
+    return case
+
+
+def test_restart_and_ranks(clone):
+    whole, parts, ranks = (tilted(clone, name) for name in ("whole", "parts", "ranks"))
+    whole.run("grainInterFoam")
+    for end in (0.02, 0.04):
+        control(parts, endTime=end)
+        parts.run("grainInterFoam")
+    ranks.run("decomposePar")
+    ranks.parallel("grainInterFoam", 2)
+    velocity = whole.grains()["velocity"]
+    assert np.abs(velocity).max() > 0.05
+    np.testing.assert_array_equal(parts.grains()["velocity"], velocity)
+    np.testing.assert_array_equal(parts.field("U"), whole.field("U"))
+    np.testing.assert_allclose(tracks(ranks)[-1], tracks(whole)[-1], rtol=1e-7, atol=1e-9)

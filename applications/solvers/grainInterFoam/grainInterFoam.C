@@ -91,6 +91,7 @@ int main(int argc, char *argv[])
         }
 
         exchange.predict(fields.U);
+        phase.pullOnGrains(exchange.resolved().locked());
 
         flow.startStep();
         flow.predict(piso);

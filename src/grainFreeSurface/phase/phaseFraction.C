@@ -41,13 +41,12 @@ Foam::phaseFraction::phaseFraction
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps, locked);
     fluid.correct();
-    setTension(locked);
+    continued_.correctSurface(fluid);
 }
 
 
-void Foam::phaseFraction::setTension(const volScalarField& locked)
+void Foam::phaseFraction::pullOnGrains(const volScalarField& locked)
 {
-    continued_.correctSurface(fluid_);
     fluid_.setForceOnGrains(tensionOnGrains(fluid_, grains_, locked));
 }
 
@@ -257,7 +256,7 @@ void Foam::phaseFraction::carry
 
     // A contact angle and the fraction at its wall follow each other: as often as
     // in interFoam
-    setTension(locked);
+    continued_.correctSurface(fluid_);
 
     liquid_ = continued_.liquid(alpha, end);
     broughtIn_ = gSum(filled*mesh.V().field());
@@ -314,5 +313,5 @@ void Foam::phaseFraction::meshChanged
     alpha.correctBoundaryConditions();
     content_.clear();
     fluid_.correct();
-    setTension(locked);
+    continued_.correctSurface(fluid_);
 }

@@ -255,7 +255,10 @@ bool Foam::vansFlow::mayPredict(const label correctors) const
 
     const scalar thickest = gMax
     (
-        (step_->mu.primitiveField()/fluid_.muStress().primitiveField())()
+        (
+            step_->mu.primitiveField()
+           /max(fluid_.muStress().primitiveField(), VSMALL)
+        )()
     );
     const scalar needed =
         thickest > 2 ? 1 + 2*sqrt(diffusion) : diffusion > 2 ? 3 : 0;

@@ -34,22 +34,17 @@ void Foam::resolvedGrains::blow(const volScalarField& speed)
           : beyond[patchi][facei];
     };
 
-    forLinks
+    forSurfaceFaces
     (
         [&]
         (
-            const side& own,
-            const side& nei,
+            const side& inGrain,
+            const side& inFluid,
+            const label sign,
             const label patchi,
             const label facei
         )
         {
-            if (own.isLocked() == nei.isLocked())
-            {
-                return;
-            }
-            const side& inGrain = own.isLocked() ? own : nei;
-            const side& inFluid = own.isLocked() ? nei : own;
             const scalar c = resolvedFace::at(conductance_, patchi, facei);
             const vector arm
             (
@@ -57,7 +52,7 @@ void Foam::resolvedGrains::blow(const volScalarField& speed)
               + inMesh(inGrain.x - inFluid.x)/c
             );
             const scalar w =
-                own.isLocked()
+                sign > 0
               ? -ofNeighbour(patchi, facei)
               : ofOwner(patchi, facei);
             resolvedFace::at(wallJump_, patchi, facei) += c*w*arm/mag(arm);

@@ -154,32 +154,24 @@ Foam::tmp<Foam::surfaceVectorField> Foam::resolvedGrains::faceExcess
     surfaceVectorField& result = tresult.ref();
     const surfaceVectorField jump(fvc::snGrad(U)/mesh_.nonOrthDeltaCoeffs());
 
-    forLinks
+    forSurfaceFaces
     (
         [&]
         (
-            const side& own,
-            const side& nei,
+            const side&,
+            const side&,
+            const label sign,
             const label patchi,
             const label facei
         )
         {
-            if (own.isLocked() == nei.isLocked())
-            {
-                return;
-            }
             // From the surface to the fluid's cell, and half of that between
             // the cells
             const scalar c = resolvedFace::at(conductance_, patchi, facei);
-            const vector cells
-            (
-                (own.isLocked() ? 1 : -1)*resolvedFace::at(jump, patchi, facei)
-            );
+            const vector cells(sign*resolvedFace::at(jump, patchi, facei));
             const vector fluid
             (
-                cells
-              + (own.isLocked() ? 1 : -1)/c
-               *resolvedFace::at(wallJump_, patchi, facei)
+                cells + sign/c*resolvedFace::at(wallJump_, patchi, facei)
             );
             resolvedFace::at(result, patchi, facei) =
                 0.5*cells - min(0.5*c, scalar(2))*fluid;

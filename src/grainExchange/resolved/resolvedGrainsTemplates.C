@@ -47,7 +47,7 @@ void Foam::resolvedGrains::forLinks(const Function& f) const
 
 
 template<class Function>
-void Foam::resolvedGrains::forFluidFaces(const Function& f) const
+void Foam::resolvedGrains::forSurfaceFaces(const Function& f) const
 {
     forLinks
     (
@@ -59,17 +59,36 @@ void Foam::resolvedGrains::forFluidFaces(const Function& f) const
             const label facei
         )
         {
-            if (own.isLocked() == nei.isLocked())
-            {
-                return;
-            }
-            if (own.isLocked())
+            if (own.isLocked() && !nei.isLocked())
             {
                 f(own, nei, 1, patchi, facei);
             }
-            else if (patchi < 0)
+            else if (nei.isLocked() && !own.isLocked())
             {
                 f(nei, own, -1, patchi, facei);
+            }
+        }
+    );
+}
+
+
+template<class Function>
+void Foam::resolvedGrains::forFluidFaces(const Function& f) const
+{
+    forSurfaceFaces
+    (
+        [&]
+        (
+            const side& inGrain,
+            const side& inFluid,
+            const label sign,
+            const label patchi,
+            const label facei
+        )
+        {
+            if (patchi < 0 || sign > 0)
+            {
+                f(inGrain, inFluid, sign, patchi, facei);
             }
         }
     );

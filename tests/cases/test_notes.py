@@ -13,6 +13,7 @@ from dry_box import dry_box, write_grains
 from grain_box import control, grain_box, replace
 from heat_box import with_heat
 from sphere_box import sphere_box
+from test_vapour import with_vapour
 from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
@@ -274,3 +275,26 @@ def test_Biot_number_without_conductivity_is_unknown(clone):
     case = with_heat(grain_box(clone, [(0.05, 0.05)]))
     case.run("checkGrains")
     assert "Biot number             unknown: 'glass' has no conductivity" in case.log
+
+
+def test_cohesion_that_asks_for_vapour_where_there_is_none_is_said(clone):
+    """As of psi = 0; grainThermalFoam without the entry vapour, too, and not with it."""
+    note = "'psi0' of a contact law asks for the vapour around grains, and there is none: psi is 0"
+    law = "type cohesive; cohesion 1; psi0 0.9; friction 0.2;"
+    case = grain_box(clone, [(0.05, 0.05)])
+    replace(case, GRAINS, "type        Coulomb;\n        friction    0.2;", law)
+    control(case, deltaT=1e-3, endTime=0.003)
+    case.run("grainFoam")
+    assert case.log.count(note) == 1
+
+    with_heat(case)
+    case.run("grainThermalFoam")
+    assert case.log.count(note) == 1
+
+
+def test_nothing_is_said_of_vapour_that_is_there(clone):
+    case = grain_box(clone, [(0.05, 0.05)])
+    with_vapour(case, 0.5, "type cohesive; cohesion 1; psi0 0.9; friction 0.2;")
+    control(case, deltaT=1e-3, endTime=0.003)
+    case.run("grainThermalFoam")
+    assert "asks for the vapour" not in case.log

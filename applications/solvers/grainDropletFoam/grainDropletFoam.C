@@ -109,6 +109,7 @@ int main(int argc, char *argv[])
         term.update();
         boiling.startStep(heat.T());
         droplets.lighten(boiling.lost());
+        steam.tell(grains);
         exchange.predict(fields.U);
         term.blow(boiling.jets(), boiling.growth(), fields.U);
 
@@ -120,7 +121,6 @@ int main(int argc, char *argv[])
             flow.correct(piso);
         }
 
-        steam.tell(grains);
         vectorField force, torque;
         term.forces(fields.U, flow.step().muf, force, torque);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);

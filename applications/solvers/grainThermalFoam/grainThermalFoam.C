@@ -97,6 +97,7 @@ int main(int argc, char *argv[])
         }
 
         heatBooks.startStep(carried.flux());
+        steam.tell(grains);
         exchange.predict(fields.U);
 
         flow.startStep();
@@ -106,7 +107,6 @@ int main(int argc, char *argv[])
             flow.correct(piso);
         }
 
-        steam.tell(grains);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.fluxesOfFluid());
 

@@ -65,6 +65,7 @@ Foam::grainDynamics<D>::grainDynamics
         checks.requireMasses();
     }
     checks.requireLaws();
+    asksForVapour_ = properties_.materials().contactTable().asksForAmbient();
     checks.requireRest();
     if (!restart)
     {
@@ -106,6 +107,18 @@ Foam::grainDynamics<D>::grainDynamics
 
 
 template<int D>
+void Foam::grainDynamics<D>::noteLackOfVapour()
+{
+    if (asksForVapour_)
+    {
+        Info<< "'psi0' of a contact law asks for the vapour around grains, and"
+            << " there is none: psi is 0" << endl;
+        asksForVapour_ = false;
+    }
+}
+
+
+template<int D>
 template<class Action>
 void Foam::grainDynamics<D>::underForces
 (
@@ -115,6 +128,7 @@ void Foam::grainDynamics<D>::underForces
     const Action& action
 )
 {
+    noteLackOfVapour();
     nscd::Vectors<D> force(grains().size());
     nscd::Spins<D> torque(grains().size(), nscd::Spin<D>::Zero());
 

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -65,6 +67,13 @@ public:
     }
 
     int materials() const { return n_; }
+
+    /// Whether a pair's attraction depends on what surrounds the contact.
+    bool asksForAmbient() const
+    {
+        return std::any_of(table_.begin(), table_.end(),
+                           [](const ContactParameters& p) { return std::isfinite(p.cohesionBelow); });
+    }
 
     /// Empty if they have none.
     const std::vector<std::string>& names() const { return names_; }

@@ -7,6 +7,23 @@
 
 #include "combineOverRanks.H"
 
+void Foam::flowAround::restoreBed()
+{
+    // Among grains at random the filtered fraction varies by less
+    constexpr scalar least = 0.08, full = 0.14;
+
+    const scalar phi = max(1 - filteredEps, SMALL);
+    const scalar jump = mag(epsJump);
+    const scalar part =
+        min(max((jump/phi - least)/(full - least), scalar(0)), scalar(1));
+    const scalar ofBed = min(phi + part*jump, max(phi, 1 - eps));
+
+    filteredU *= filteredEps/max(1 - ofBed, SMALL);
+    filteredGradP *= ofBed/phi;
+    filteredEps = 1 - ofBed;
+}
+
+
 Foam::List<Foam::flowAround> Foam::flowAroundGrains
 (
     const grainSystem& grains,
@@ -16,6 +33,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
     const symmTensorField& section,
     const scalarField& eps,
     const vectorField& U,
+    const vectorField& gradP,
     const filteredFlow& filtered
 )
 {
@@ -40,9 +58,11 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
             sum.ownShare += o.volume*o.volume/V[o.cell];
             sum.eps += o.volume*eps[o.cell];
             sum.filteredEps += o.volume*filtered.eps[o.cell];
+            sum.epsJump += o.volume*filtered.epsJump[o.cell];
             sum.U += o.volume*U[o.cell];
             sum.filteredU += o.volume*filtered.U[o.cell];
-            sum.excessGradP += o.volume*filtered.excessGradP[o.cell];
+            sum.gradP += o.volume*gradP[o.cell];
+            sum.filteredGradP += o.volume*filtered.gradP[o.cell];
         }
     }
     sumRecordsOverRanks(grains.shared(), result);
@@ -57,9 +77,12 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
         mean.ownShare /= volume;
         mean.eps /= volume;
         mean.filteredEps /= volume;
+        mean.epsJump /= volume;
         mean.U /= volume;
         mean.filteredU /= volume;
-        mean.excessGradP /= volume;
+        mean.gradP /= volume;
+        mean.filteredGradP /= volume;
+        mean.restoreBed();
     }
     return result;
 }

@@ -87,7 +87,8 @@ Foam::scalar Foam::undisturbedFlow::coefficient
     scalar drag = (undisturbedSlip + least)*grain.gamma(eps, undisturbedSlip);
     if (gradientOnGrains_)
     {
-        drag = max(drag - (flow.excessGradP & w)/slip, 0.05*drag);
+        const vector excess(flow.filteredGradP - flow.gradP);
+        drag = max(drag - (excess & w)/slip, 0.05*drag);
     }
     else
     {

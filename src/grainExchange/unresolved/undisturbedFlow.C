@@ -9,9 +9,11 @@
 #include "cellSizes.H"
 #include "combineOverRanks.H"
 #include "couplingOption.H"
+#include "gaussGrad.H"
 #include "implicitDiffusion.H"
 #include "keepUnmarked.H"
 #include "missingFields.H"
+#include "zeroGradientFvPatchFields.H"
 
 Foam::undisturbedFlow::undisturbedFlow
 (
@@ -101,6 +103,33 @@ Foam::scalarField Foam::undisturbedFlow::inFluid
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::undisturbedFlow::gradient
+(
+    const scalarField& x
+) const
+{
+    volScalarField field
+    (
+        IOobject("filtered", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    field.primitiveFieldRef() = x;
+    field.correctBoundaryConditions();
+    return tmp<vectorField>
+    (
+        new vectorField
+        (
+            fv::gaussGrad<scalar>::gradf
+            (
+                linearInterpolate(field), "gradient"
+            )().primitiveField()
+        )
+    );
+}
+
+
 Foam::filteredFlow Foam::undisturbedFlow::filtered
 (
     const scalarField& weight,
@@ -113,7 +142,8 @@ Foam::filteredFlow Foam::undisturbedFlow::filtered
     const vectorField& cellU = U.primitiveField();
     const vectorField& cellGradP = gradP_.primitiveField();
 
-    filteredFlow result{cellEps, cellU, vectorField(cellU.size(), Zero)};
+    const vectorField none(cellU.size(), Zero);
+    filteredFlow result{cellEps, none, cellU, none};
     if (width_ == 0)
     {
         return result;
@@ -137,6 +167,7 @@ Foam::filteredFlow Foam::undisturbedFlow::filtered
     const scalar wide =
         mesh_.nGeometricD() == 3 ? max(d.mean, gAverage(cellSize_)) : d.mean;
     result.eps = mean(cellEps, wide);
+    result.epsJump = width_*wide/std::sqrt(24.0)*gradient(result.eps);
 
     if (d.largest > 0.5*cellSizeRange_.first())
     {
@@ -148,7 +179,7 @@ Foam::filteredFlow Foam::undisturbedFlow::filtered
             mean(vectorField(cellEps*cellU), d.mean)/max(flowEps, SMALL);
         if (gradientOnGrains_)
         {
-            result.excessGradP = mean(cellGradP, d.mean) - cellGradP;
+            result.gradP = mean(cellGradP, d.mean);
         }
     }
     return result;
@@ -182,7 +213,7 @@ void Foam::undisturbedFlow::set
     (
         flowAroundGrains
         (
-            grains, fluid, weight, cellSize_, section_, eps, U,
+            grains, fluid, weight, cellSize_, section_, eps, U, gradP_,
             filtered(weight, eps, U, d)
         )
     );

@@ -101,7 +101,16 @@ void Foam::vansFlow::startStep()
         flux->oldTime();
         if (areFluxesOfU_)
         {
-            resolved_.setSurfaceFlux(flux->oldTime());
+            surfaceScalarField ofSurface(flux->oldTime());
+            resolved_.setSurfaceFlux(ofSurface);
+            if (keptFaces_.valid())
+            {
+                remakeFlux(ofSurface, flux->oldTime());
+            }
+            else
+            {
+                flux->oldTime() = ofSurface;
+            }
         }
     }
     if (isSecondOrderInTime(mesh_))
@@ -110,6 +119,7 @@ void Foam::vansFlow::startStep()
         fields_.phiMomentum.oldTime().oldTime();
     }
     areFluxesOfU_ = false;
+    keptFaces_.clear();
     step_.reset
     (
         new stepCoefficients

@@ -28,6 +28,35 @@ tmp<surfaceVectorField> withFlux
     return result;
 }
 
+//- A copy that a change of the mesh maps, which slices of its lists would not survive
+template<class Field>
+Field* registered(const word& name, const Field& x)
+{
+    typedef dimensioned<typename Field::value_type> value;
+    const fvMesh& mesh = x.mesh();
+    Field* result = new Field
+    (
+        IOobject(name, mesh.time().timeName(), mesh), mesh, value(x.dimensions(), Zero)
+    );
+    *result == x;
+    return result;
+}
+
+tmp<volScalarField> cellVolumes(const fvMesh& mesh)
+{
+    tmp<volScalarField> result
+    (
+        new volScalarField
+        (
+            IOobject("cellVolumes", mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar(dimVolume, Zero)
+        )
+    );
+    result.ref().primitiveFieldRef() = mesh.V();
+    return result;
+}
+
 template<class Field>
 void keepOldTime(const Field& x)
 {
@@ -60,21 +89,73 @@ void Foam::vansFlow::beforeMeshChange()
             ).ptr()
         );
     }
+    facesBefore_.clear();
+    facesBefore_.append(registered("centresBefore", mesh_.Cf()));
+    facesBefore_.append(registered("areasBefore", mesh_.Sf()));
+    const volScalarField inertia(grains_.fluidShare*fluid_.rho());
+    cellsBefore_.clear();
+    cellsBefore_.append(registered("volumeBefore", cellVolumes(mesh_)()));
+    cellsBefore_.append(registered("inertiaBefore", inertia));
+    momentumBefore_.clear();
+    momentumBefore_.reset
+    (
+        registered("momentumBefore", volVectorField(inertia*fields_.U))
+    );
     step_.clear();
     UEqn_.clear();
     faces_.clear();
 }
 
 
+void Foam::vansFlow::keepMomentum()
+{
+    const scalarField& V = mesh_.V();
+    const scalarField& before = cellsBefore_[0];
+    const scalarField& inertia = cellsBefore_[1];
+    const scalar least = 1e-6*gMax(inertia);
+    forAll(V, celli)
+    {
+        if (V[celli] > 1.5*before[celli] && inertia[celli] > least)
+        {
+            const vector U(momentumBefore_()[celli]/inertia[celli]);
+            fields_.U[celli] = U;
+            fields_.U.oldTime()[celli] = U;
+        }
+    }
+    cellsBefore_.clear();
+    momentumBefore_.clear();
+}
+
+
+void Foam::vansFlow::remakeFlux
+(
+    const surfaceScalarField& ofU,
+    surfaceScalarField& flux
+) const
+{
+    flux = keptFaces_()*flux + (1 - keptFaces_())*ofU;
+}
+
+
 void Foam::vansFlow::meshChanged()
 {
     gh_.reset(heightTimesGravity());
+    keepMomentum();
     fields_.U.correctBoundaryConditions();
 
     // The fluxes of the step's beginning, through the faces as they are now
     if (mesh_.topoChanging())
     {
         areFluxesOfU_ = true;
+        const surfaceScalarField h(sqrt(mesh_.magSf()));
+        keptFaces_.reset
+        (
+            new surfaceScalarField
+            (
+                pos(1e-6*h - mag(mesh_.Cf() - facesBefore_[0]))
+               *pos(1e-6*mesh_.magSf() - mag(mesh_.Sf() - facesBefore_[1]))
+            )
+        );
         setRefCell(p_, fields_.p_rgh, control_, pRefCell_, pRefValue_);
     }
     label i = 0;
@@ -82,7 +163,7 @@ void Foam::vansFlow::meshChanged()
     {
         if (mesh_.topoChanging())
         {
-            flux->oldTime() = fvc::flux(fields_.U);
+            remakeFlux(fvc::flux(fields_.U), flux->oldTime());
         }
         else
         {
@@ -95,7 +176,7 @@ void Foam::vansFlow::meshChanged()
         surfaceScalarField& flux = fields_.phiMomentum.oldTime().oldTime();
         if (mesh_.topoChanging())
         {
-            flux = fvc::flux(fields_.U.oldTime().oldTime());
+            remakeFlux(fvc::flux(fields_.U.oldTime().oldTime()), flux);
         }
         else
         {
@@ -103,4 +184,5 @@ void Foam::vansFlow::meshChanged()
         }
     }
     faceU_.clear();
+    facesBefore_.clear();
 }

@@ -243,6 +243,11 @@ bool Foam::vansFlow::mayPredict(const label correctors) const
     {
         return false;
     }
+    // New cells that grains fill have the velocity of the fluid of a larger one
+    if (mesh_.topoChanging() && gMin(step_->eps.primitiveField()) < 0.1)
+    {
+        return false;
+    }
 
     const surfaceScalarField nu(step_->muf/fvc::interpolate(fluid_.rho()));
     const scalar diffusion =

@@ -456,6 +456,20 @@ TABLE = [
         [GRAINS, "drag", "'shape'", "value disc", "sphere, as this mesh is three-dimensional"],
     ),
     ("wedge", meshed(*WEDGE), ["front", "'wedge'", "'empty'"]),
+    (
+        "relaxation",
+        swap(
+            "system/fvSolution",
+            "solvers\n{",
+            "relaxationFactors { equations { U 0.7; } }\n\nsolvers\n{",
+        ),
+        ["system/fvSolution", "'U'", "value 0.7", "allowed: a value from 1 to 1"],
+    ),
+    (
+        "boundedConvection",
+        swap(SCHEMES, "U)   Gauss linear", "U)   bounded Gauss linear"),
+        [SCHEMES, "bounded Gauss linear", "the scheme without 'bounded'"],
+    ),
 ]
 
 

@@ -75,6 +75,57 @@ void Foam::checkSolvers(const dictionary& fvSolution)
 }
 
 
+void Foam::refuseRelaxation(const dictionary& fvSolution)
+{
+    const dictionary* factors = fvSolution.findDict("relaxationFactors");
+    if (!factors)
+    {
+        return;
+    }
+    for (const word& kind : {word("fields"), word("equations")})
+    {
+        const dictionary* dict = factors->findDict(kind);
+        if (!dict)
+        {
+            continue;
+        }
+        for (const entry& e : *dict)
+        {
+            dictionaryInput::getScalarOrDefault
+            (
+                *dict, e.keyword(), dimless, 1, 1, 1
+            );
+        }
+    }
+}
+
+
+void Foam::refuseBounded(const fvMesh& mesh, const word& scheme)
+{
+    const dictionary& dict =
+        dictionaryInput::subDict(mesh.schemesDict(), "divSchemes");
+    const entry* found = dict.findEntry(scheme, keyType::REGEX);
+    const word name(found ? scheme : word("default"));
+    if (!found)
+    {
+        found = dict.findEntry(name, keyType::LITERAL);
+    }
+    if (found && found->isStream() && found->stream().size())
+    {
+        const token& first = found->stream()[0];
+        if (first.isWord() && first.wordToken() == "bounded")
+        {
+            dictionaryInput::badValue
+            (
+                dict, name, dictionaryInput::written(dict, name),
+                "the scheme without 'bounded': what it takes away is not in the"
+                " equation, and momentum or content would be lost"
+            );
+        }
+    }
+}
+
+
 void Foam::checkPISO
 (
     const dictionary& fvSolution,
@@ -84,6 +135,7 @@ void Foam::checkPISO
 {
     const dictionary& dict = dictionaryInput::subDict(fvSolution, name);
     checkSolvers(fvSolution);
+    refuseRelaxation(fvSolution);
 
     wordList allowed
     ({

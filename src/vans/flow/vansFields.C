@@ -7,6 +7,7 @@
 
 #include "coupledPatches.H"
 #include "dictionaryInput.H"
+#include "fluidInput.H"
 #include "fvcFlux.H"
 #include "missingFields.H"
 
@@ -62,5 +63,7 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     checkMagnitude(p_rgh, mag(p_rgh.primitiveField()));
     mesh.solverDict(p_rgh.name());
     mesh.divScheme("div(tau)");
+    refuseBounded(mesh, "div(phiEps,U)");
+    refuseBounded(mesh, "div(rhoPhi,U)");
     reportMissingFields(mesh, {"phiU", "phi"}, "made from U");
 }

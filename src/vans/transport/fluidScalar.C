@@ -7,6 +7,7 @@
 
 #include "cellsAndBodies.H"
 #include "dictionaryInput.H"
+#include "fluidInput.H"
 #include "fvCFD.H"
 
 Foam::scalar Foam::fluidScalar::endShare(const fvMesh& mesh, const word& name)
@@ -52,7 +53,9 @@ Foam::fluidScalar::fluidScalar
     broughtIn_(0)
 {
     // Of the flux that transports
-    mesh.divScheme("div(phiFluid," + name + ')');
+    const word scheme("div(phiFluid," + name + ')');
+    mesh.divScheme(scheme);
+    refuseBounded(mesh, scheme);
     mesh.solverDict(name);
 }
 
@@ -250,8 +253,11 @@ void Foam::fluidScalar::carry
     unaccounted_ = -gSum(before);
     broughtIn_ = (1 - endShare_)*gSum(source*content(T_.primitiveField()));
 
-    // Newton's method; once where the content is the value
-    const label most = held_ ? 20 : 1;
+    // Newton's method; once where the content is the value.  Where it goes to and
+    // fro about a peak of the slope, the chord between its last two values
+    const label most = held_ ? 100 : 1, mostTangents = 8;
+    scalarField lastButOne;
+    scalar notLinear = 0;
     for (label i = 0; i < most; ++i)
     {
         if (i > 0)
@@ -260,10 +266,23 @@ void Foam::fluidScalar::carry
         }
         const scalarField last(T_.primitiveField());
         const scalarField H(content(last));
-        const scalarField c
+        scalarField c
         (
             held_ ? held_->slope(last) : scalarField(T_.size(), 1)
         );
+        if (i >= mostTangents)
+        {
+            const scalarField change(last - lastButOne);
+            const scalarField chord((H - content(lastButOne))/stabilise(change, VSMALL));
+            forAll(c, celli)
+            {
+                if (mag(change[celli]) > 1e-10*mag(last[celli]))
+                {
+                    c[celli] = max(c[celli], chord[celli]);
+                }
+            }
+        }
+        lastButOne = last;
         fvScalarMatrix TEqn
         (
             dimensionedScalar("endShare", dimless, endShare_)*leaving()
@@ -277,10 +296,24 @@ void Foam::fluidScalar::carry
         solve(TEqn, bodies);
 
         const scalarField& T = T_.primitiveField();
-        if (held_ && gMax(mag(content(T) - H - c*(T - last))/mag(H)) < 1e-14)
+        if (!held_)
         {
             break;
         }
+        notLinear = gMax(mag(content(T) - H - c*(T - last))/mag(H));
+        if (notLinear < 1e-14)
+        {
+            break;
+        }
+    }
+    if (notLinear > 1e-9)
+    {
+        FatalErrorInFunction
+            << T_.name() << " whose content is "
+            << "not proportional to it was not found in " << most
+            << " iterations: " << notLinear << " of the content is left" << nl
+            << "    allowed: shorter steps, or a capacity with less of a peak"
+            << exit(FatalError);
     }
     scalarField fromBodies(T_.size(), Zero);
     if (bodies)

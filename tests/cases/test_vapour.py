@@ -50,3 +50,19 @@ def test_vapour_stays_between_none_and_all(clone):
         assert psi.max() <= 1 + 1e-12
         amounts.append(np.sum((case.field("eps", time) + least) * psi) if time != "0" else None)
     np.testing.assert_allclose(amounts[1:], amounts[1], rtol=1e-9)
+
+
+def test_vapour_around_a_resolved_grain_is_that_outside(clone):
+    """Its locked cells keep what was there before it: the gas around it lets go."""
+    x, y = np.meshgrid(*2 * [(np.arange(20) + 0.5) * 0.005])
+    inside = np.hypot(x - 0.05, y - 0.02) < 0.015
+    case = grain_box(clone, [(0.05, 0.02)], 0.02)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(20 20 1)")
+    case.run("blockMesh")
+    law = "type cohesive; friction 0.2; cohesion 100; psi0 0.9;"
+    with_vapour(case, np.where(inside, 0.2, 0.95).ravel(), law)
+    replace(case, "constant/transportProperties", "D 1e-5", "D 1e-12")
+    replace(case, "constant/g", "-9.81", "9.81")
+    control(case, deltaT=1e-3, endTime=0.05)
+    case.run("grainThermalFoam")
+    assert case.grains()["position"][0, 1] > 0.0203

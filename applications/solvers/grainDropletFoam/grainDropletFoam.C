@@ -109,7 +109,7 @@ int main(int argc, char *argv[])
         term.update();
         boiling.startStep(heat.T());
         droplets.lighten(boiling.lost());
-        steam.tell(grains);
+        steam.tell(grains, exchange.eps());
         exchange.predict(fields.U);
         term.blow(boiling.jets(), boiling.growth(), fields.U);
 

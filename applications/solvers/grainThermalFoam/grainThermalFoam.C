@@ -97,7 +97,7 @@ int main(int argc, char *argv[])
         }
 
         heatBooks.startStep(carried.flux());
-        steam.tell(grains);
+        steam.tell(grains, exchange.eps());
         exchange.predict(fields.U);
 
         flow.startStep();

@@ -76,12 +76,25 @@ void Foam::vapour::meshChanged(const transportFlux& flux)
 }
 
 
-void Foam::vapour::tell(grainSystem& grains) const
+void Foam::vapour::tell(grainSystem& grains, const scalarField& eps) const
 {
-    if (isActive())
+    if (!isActive())
     {
-        grains.setAmbient(meanOverGrains(grains, psi_->field()));
+        return;
     }
+    // Where a grain leaves no fluid in its cells psi is an old one
+    const scalarField& psi = psi_->field();
+    const scalarField room(meanOverGrains(grains, eps));
+    const scalarField inRoom(meanOverGrains(grains, eps*psi));
+    scalarField ambient(meanOverGrains(grains, psi));
+    forAll(ambient, graini)
+    {
+        if (room[graini] > 1e-6)
+        {
+            ambient[graini] = inRoom[graini]/room[graini];
+        }
+    }
+    grains.setAmbient(ambient);
 }
 
 

@@ -16,6 +16,7 @@ from droplet_box import (
 )
 from grain_box import DEPTH, control, grain_box, make_cyclic, remove_walls, replace
 from heat_box import heat_ledger, with_heat
+from test_resolvedHeat import given
 
 
 def channel(clone, name, x, hot=BOILING + 500, cells=20):
@@ -130,3 +131,32 @@ def test_release_merging_and_the_last_drop(clone):
     assert heat["fluidError"].max() < 1e-8
     T = case.field("T")
     assert T.min() > BOILING - 1e-6 and T.max() < hot + 1e-6
+
+
+@pytest.mark.parametrize("gap", [0.4, 0.12])
+def test_heat_from_a_hot_wall_that_is_near(clone, gap):
+    """A disc held over a plane 100 K hotter, the exact field on the other sides: of gaps below half
+    a cell the heat was that of half a cell, 0.68 and 0.29 of this."""
+    n, radius, x0, kappa, excess = 40, 0.01, 0.0503, 0.026, 100.0
+    height = radius + gap * 0.1 / n
+    a = np.sqrt(height**2 - radius**2)
+    c = np.arccosh(height / radius)
+
+    def exact(x, y):
+        ratio = 2 * a * y / ((x - x0) ** 2 + y**2 + a**2)
+        return BOILING + excess - excess / c * np.arctanh(np.clip(ratio, -1, 1 - 1e-12))
+
+    case = grain_box(clone)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({n} {n} 1)")
+    case.run("blockMesh")
+    fluid = f"Cp 1e-3; kappa {kappa};"
+    with_heat(case, BOILING + 50, BOILING, given(exact, n), fluid=fluid)
+    make_gas(case)
+    open_top(case)
+    replace(case, "constant/g", "-9.81", "0")
+    with_droplets(case, [(x0, height)], radius, entries="motion fixed;", latent=1e15)
+    control(case, deltaT=1e-3, endTime=3e-3, writeInterval=3)
+    case.run("grainDropletFoam")
+    table = droplet_table(case)
+    heat = (table["fromFluid"][-1] + table["fromGrains"][-1]) / 1e-3
+    assert heat == pytest.approx(2 * np.pi * kappa * DEPTH * excess / c, rel=0.03)

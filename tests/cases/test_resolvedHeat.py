@@ -156,3 +156,29 @@ def test_two_ranks_find_the_field_around_a_disc(clone, inside):
         found.append(case.field("T", case.times[-1]))
     assert np.ptp(found[0]) > 50
     np.testing.assert_allclose(*found, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("gap", [0.4, 0.2, 0.08])
+def test_a_gap_below_a_cell_conducts_as_it_is_wide(clone, gap):
+    """A cylinder of 400 K above a wall of 300 K, the exact field on the other sides; a gap of so
+    many cells had the conductance of half a cell, 0.7 to 0.27 of this."""
+    n, radius, x0 = 40, 0.01, 0.0503
+    height = radius + gap * SIDE / n
+    a = np.sqrt(height**2 - radius**2)
+    c = np.arccosh(height / radius)
+
+    def exact(x, y):
+        ratio = 2 * a * y / ((x - x0) ** 2 + y**2 + a**2)
+        return 300 + 100 / c * np.arctanh(np.clip(ratio, -1, 1 - 1e-12))
+
+    case = grain_box(clone, [(x0, height)], radius)
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({n} {n} 1)")
+    case.run("blockMesh")
+    fix_grains(case)
+    heat, material = "conductance none; inside isothermal;", "heatCapacity 1e15;"
+    fluid = f"Cp 1e-3; kappa {K};"
+    with_heat(case, 300.0, 400.0, given(exact, n), fluid=fluid, heat=heat, ofGlass=material)
+    control(case, deltaT=1e3, endTime=1e3, writeInterval=1)
+    case.run("grainThermalFoam")
+    heat = -heat_ledger(case)["exchanged"][-1] / 1e3
+    assert heat == pytest.approx(2 * np.pi * K * DEPTH * 100 / c, rel=0.1)

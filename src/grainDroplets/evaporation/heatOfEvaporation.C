@@ -60,10 +60,36 @@ Foam::scalar Foam::evaporation::smallConductance
 }
 
 
+void Foam::evaporation::conductThrough(surfaceScalarField& conductivity) const
+{
+    const surfaceScalarField byPart(term_.conductanceOfHeat());
+    conductivity *= byPart;
+
+    // What is between a droplet and a wall is gas, though its cell has none
+    forAll(byPart.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& part = byPart.boundaryField()[patchi];
+        if (part.coupled())
+        {
+            continue;
+        }
+        const labelUList& cells = part.patch().faceCells();
+        forAll(part, i)
+        {
+            if (term_.dropletOf(cells[i]) >= 0)
+            {
+                conductivity.boundaryFieldRef()[patchi][i] =
+                    part[i]*gas_.kappa().boundaryField()[patchi][i];
+            }
+        }
+    }
+}
+
+
 void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
 {
     faces_ = dropletFace::list(term_, cells.conductivity);
-    cells.conductivity *= term_.conductance();
+    conductThrough(cells.conductivity);
     hold_ = holding(gas_.capacity(), cells.conductivity);
 
     smalls_.clear();

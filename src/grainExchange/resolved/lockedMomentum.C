@@ -191,10 +191,10 @@ void Foam::lockedGrains::correctMotion
     // it follows its neighbours; others have it and go on with the grain.  What
     // holds a face back is a pressure in the grain, which pushes the fluid aside
     // where faces are not across the line of their cells.
-    const surfaceScalarField surface(cells_.surfaceFlux(U));
+    const surfaceScalarField asBody(cells_.bodyFlux(U));
     const surfaceScalarField before
     (
-        flux.oldTime() - cells_.surfaceFlux(lastU_)
+        flux.oldTime() - cells_.bodyFlux(lastU_)
     );
     const dimensionedScalar least("least", inertia_().dimensions(), VSMALL);
     const surfaceScalarField left
@@ -209,7 +209,7 @@ void Foam::lockedGrains::correctMotion
     const surfaceScalarField stiffness(sqr(inertia_() + drag)*mobility_());
     rigidForce_ += cells_.withoutForce
     (
-        stiffness*(surface + left*before - flux),
+        stiffness*(asBody + left*before - flux),
         stiffness
     );
 }

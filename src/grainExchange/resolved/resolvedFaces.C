@@ -12,6 +12,9 @@
 namespace
 {
 
+//- Nearer, a cell of fluid is as good as locked
+constexpr Foam::scalar leastFluidPart = 0.05;
+
 //- 1 for cells none of whose faces has the value 1, 0 for others
 Foam::tmp<Foam::scalarField> noneOf(const Foam::surfaceScalarField& faces)
 {
@@ -29,9 +32,6 @@ Foam::scalar Foam::resolvedGrains::fluidPart
     const point& inFluid
 ) const
 {
-    // Nearer, a cell of fluid is as good as locked
-    constexpr scalar least = 0.05;
-
     const vector d(inMesh(inFluid - inGrain));
     scalar grainPart = 0;
     for (const grainMember& body : grains_.members(graini))
@@ -47,7 +47,7 @@ Foam::scalar Foam::resolvedGrains::fluidPart
             );
         }
     }
-    return max(1 - grainPart, least);
+    return max(1 - grainPart, leastFluidPart);
 }
 
 
@@ -134,6 +134,55 @@ void Foam::resolvedGrains::setFaces()
     openCells_.correctBoundaryConditions();
     openCells_.primitiveFieldRef() =
         noneOf(1 - pos(fvc::interpolate(openCells_) - 1 + SMALL));
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::conductanceOfHeat() const
+{
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(conductance_));
+    if (!isActive_)
+    {
+        return tresult;
+    }
+    surfaceScalarField& result = tresult.ref();
+    forLinks
+    (
+        [&]
+        (
+            const side& own,
+            const side& nei,
+            const label patchi,
+            const label facei
+        )
+        {
+            if (own.isLocked() && nei.isLocked() && own.grain != nei.grain)
+            {
+                const scalar between =
+                    fluidPart(label(own.grain), own.x, nei.x)
+                  + fluidPart(label(nei.grain), nei.x, own.x) - 1;
+                resolvedFace::at(result, patchi, facei) =
+                    1/max(between, leastFluidPart);
+            }
+        }
+    );
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (patch.coupled())
+        {
+            continue;
+        }
+        forAll(patch, i)
+        {
+            const label celli = patch.faceCells()[i];
+            if (grain(celli) >= 0)
+            {
+                result.boundaryFieldRef()[patchi][i] =
+                    1/fluidPart(grain(celli), mesh_.C()[celli], patch.Cf()[i]);
+            }
+        }
+    }
+    return tresult;
 }
 
 

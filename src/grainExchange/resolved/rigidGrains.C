@@ -91,22 +91,10 @@ void Foam::resolvedGrains::makeRigid
 }
 
 
-Foam::vector Foam::resolvedGrains::memberArm(const side& inGrain) const
-{
-    const label graini = label(inGrain.grain);
-    return between
-    (
-        grains_.centres()[graini], deepestMember(graini, inGrain.x).centre
-    );
-}
-
-
-template<class Arm>
-void Foam::resolvedGrains::setFlux
+void Foam::resolvedGrains::setBodyFlux
 (
     const volVectorField& U,
-    const Arm& armOf,
-    surfaceScalarField& result
+    surfaceScalarField& flux
 ) const
 {
     if (!isActive_)
@@ -125,17 +113,18 @@ void Foam::resolvedGrains::setFlux
             const label facei
         )
         {
+            const point& centre = grains_.centres()[graini];
             const scalar inOwn = 0.5*(own.isLocked() + !nei.isLocked());
             vector arm(Zero);
             if (inOwn > 0)
             {
-                arm += inOwn*armOf(own);
+                arm += inOwn*between(centre, own.x);
             }
             if (inOwn < 1)
             {
-                arm += (1 - inOwn)*armOf(nei);
+                arm += (1 - inOwn)*between(centre, nei.x);
             }
-            resolvedFace::at(result, patchi, facei) =
+            resolvedFace::at(flux, patchi, facei) =
                 resolvedFace::at(mesh_.Sf(), patchi, facei)
               & (
                     translation[graini]
@@ -146,45 +135,13 @@ void Foam::resolvedGrains::setFlux
 }
 
 
-void Foam::resolvedGrains::setSurfaceFlux
-(
-    const volVectorField& U,
-    surfaceScalarField& flux
-) const
-{
-    setFlux(U, [&](const side& inGrain) { return memberArm(inGrain); }, flux);
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::surfaceFlux
-(
-    const volVectorField& U
-) const
-{
-    tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
-    setSurfaceFlux(U, tresult.ref());
-    return tresult;
-}
-
-
 Foam::tmp<Foam::surfaceScalarField> Foam::resolvedGrains::bodyFlux
 (
     const volVectorField& U
 ) const
 {
     tmp<surfaceScalarField> tresult(new surfaceScalarField(0*fvc::flux(U)));
-    setFlux
-    (
-        U,
-        [&](const side& inGrain)
-        {
-            return between
-            (
-                grains_.centres()[label(inGrain.grain)], inGrain.x
-            );
-        },
-        tresult.ref()
-    );
+    setBodyFlux(U, tresult.ref());
     return tresult;
 }
 

@@ -48,6 +48,7 @@ Foam::grainFluidHeat::grainFluidHeat
     checkProperties(T);
     exchange.findShares();
     setOpenConductivity();
+    noteGapsTwice();
     if (resolved_.conducts())
     {
         // The cells' temperature is the state
@@ -61,6 +62,24 @@ Foam::grainFluidHeat::grainFluidHeat
               : grains.temperatures().temperature(i);
         }
         grains.temperatures().setTemperatures(TGrain);
+    }
+}
+
+
+void Foam::grainFluidHeat::noteGapsTwice() const
+{
+    const dictionary& heat =
+        grains_.motion().coupling().parent().subOrEmptyDict("heat");
+    label resolved = 0;
+    for (label i = 0; i < grains_.size(); ++i)
+    {
+        resolved += exchange_.resolved().isResolved(i);
+    }
+    if (resolved > 1 && heat.found("throughFluid"))
+    {
+        Info<< "'throughFluid' of 'heat': the fluid between " << resolved
+            << " resolved grains conducts, too, and counts twice between them"
+            << endl;
     }
 }
 
@@ -108,7 +127,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
 
     cellHeat result(openConductivity_);
     unresolved_.add(exchange_, U, result);
-    resolved_.add(T, openConductivity_, result);
+    resolved_.add(T, openConductivity_, fluid_.kappa(), result);
     nodes_ = std::make_unique<heatNodes>
     (
         grains_, exchange_.resolved(), fluid_.capacity(),

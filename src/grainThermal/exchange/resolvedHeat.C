@@ -110,16 +110,16 @@ Foam::scalar Foam::resolvedHeat::conductivity
     {
         return conducts_ ? grains_.temperatures().conductivity(own) : 0;
     }
-    if (own >= 0 && neighbour >= 0)
-    {
-        return k;
-    }
     if (!conducts_)
     {
         return byPart*k;
     }
+    const auto ofGrain = [&](const label graini)
+    {
+        return grains_.temperatures().conductivity(graini);
+    };
     const scalar kGrain =
-        grains_.temperatures().conductivity(max(own, neighbour));
+        2/(1/ofGrain(own < 0 ? neighbour : own) + 1/ofGrain(neighbour < 0 ? own : neighbour));
     if (kGrain < k)
     {
         // But for what poorConductors finds inside
@@ -133,29 +133,37 @@ Foam::scalar Foam::resolvedHeat::conductivity
 void Foam::resolvedHeat::setFaces
 (
     const volScalarField& kappa,
+    const volScalarField& kappaOfFluid,
     surfaceScalarField& faces
 ) const
 {
     const fvMesh& mesh = grains_.mesh();
     const volScalarField grain(grainOfCells());
-    const surfaceScalarField& byPart = resolved_.conductance();
+    const surfaceScalarField byPart(resolved_.conductanceOfHeat());
     const surfaceScalarField fluid("kappaOfFluid", faces);
 
+    // Where there is a locked cell on either side, of the fluid between what it is
+    // locked to and another grain or a wall; else that which grains leave open
     const auto set = [&]
     (
         scalar& faceK,
-        const scalar kOwn,
-        const scalar kNeighbour,
+        const scalar open,
+        const scalar whole,
         const label own,
         const label neighbour,
+        const bool isWall,
         const scalar part
     )
     {
         if (own >= 0 || neighbour >= 0)
         {
-            const scalar k = own < 0 ? kOwn : kNeighbour;
-            faceK = conductivity(k, own, neighbour, part);
+            const bool isGap = isWall || (own >= 0 && neighbour >= 0);
+            faceK = conductivity(isGap ? whole : open, own, neighbour, part);
         }
+    };
+    const auto open = [](const label own, const scalar kOwn, const scalar kNeighbour)
+    {
+        return own < 0 ? kOwn : kNeighbour;
     };
 
     forAll(mesh.neighbour(), facei)
@@ -164,27 +172,41 @@ void Foam::resolvedHeat::setFaces
         set
         (
             faces[facei],
-            kappa[P], kappa[N], label(grain[P]), label(grain[N]), byPart[facei]
+            open(label(grain[P]), kappa[P], kappa[N]),
+            0.5*(kappaOfFluid[P] + kappaOfFluid[N]),
+            label(grain[P]), label(grain[N]), false, byPart[facei]
         );
     }
     forAll(mesh.boundary(), patchi)
     {
         const fvPatchScalarField& g = grain.boundaryField()[patchi];
-        if (!g.coupled())
-        {
-            continue;
-        }
         const fvPatchScalarField& k = kappa.boundaryField()[patchi];
+        const fvPatchScalarField& kFluid = kappaOfFluid.boundaryField()[patchi];
+        const bool isWall = !g.coupled();
+        const scalarField whole
+        (
+            isWall
+          ? scalarField(kFluid)
+          : scalarField(0.5*(kFluid.patchInternalField() + kFluid.patchNeighbourField()))
+        );
         const scalarField own(g.patchInternalField());
-        const scalarField neighbour(g.patchNeighbourField());
+        const scalarField neighbour
+        (
+            isWall ? scalarField(g.size(), -1) : scalarField(g.patchNeighbourField())
+        );
         const scalarField kOwn(k.patchInternalField());
-        const scalarField kNeighbour(k.patchNeighbourField());
+        const scalarField kNeighbour
+        (
+            isWall ? scalarField(k) : scalarField(k.patchNeighbourField())
+        );
         forAll(g, i)
         {
             set
             (
                 faces.boundaryFieldRef()[patchi][i],
-                kOwn[i], kNeighbour[i], label(own[i]), label(neighbour[i]),
+                open(label(own[i]), kOwn[i], kNeighbour[i]),
+                whole[i],
+                label(own[i]), label(neighbour[i]), isWall,
                 byPart.boundaryField()[patchi][i]
             );
         }
@@ -200,6 +222,7 @@ void Foam::resolvedHeat::add
 (
     const volScalarField& T,
     const volScalarField& kappa,
+    const volScalarField& kappaOfFluid,
     cellHeat& cells
 )
 {
@@ -220,7 +243,7 @@ void Foam::resolvedHeat::add
         }
     }
     sumOverRanks(lockedVolume_);
-    setFaces(kappa, cells.conductivity);
+    setFaces(kappa, kappaOfFluid, cells.conductivity);
 
     if (!conducts_)
     {

@@ -96,6 +96,19 @@ Foam::volScalarField* Foam::vansFlow::heightTimesGravity() const
 
 void Foam::vansFlow::startStep()
 {
+    // A body whose own faces have changed begins with one flow all around it
+    if
+    (
+        keptFaces_.valid()
+     && gMax(((1 - keptFaces_())*resolved_.lockedFaces())().primitiveField()) > 0.5
+    )
+    {
+        keptFaces_() == dimensionedScalar(dimless, Zero);
+        for (surfaceScalarField* flux : fields_.fluxes())
+        {
+            remakeFlux(fvc::flux(fields_.U), flux->oldTime());
+        }
+    }
     for (surfaceScalarField* flux : fields_.fluxes())
     {
         flux->oldTime();

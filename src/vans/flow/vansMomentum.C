@@ -243,8 +243,12 @@ bool Foam::vansFlow::mayPredict(const label correctors) const
     {
         return false;
     }
-    // New cells that grains fill have the velocity of the fluid of a larger one
-    if (mesh_.topoChanging() && gMin(step_->eps.primitiveField()) < 0.1)
+    // New cells that unresolved grains fill have the fluid velocity of a larger one
+    if
+    (
+        mesh_.topoChanging()
+     && gMin((grains_.fluidShare + resolved_.locked())().primitiveField()) < 0.1
+    )
     {
         return false;
     }

@@ -466,6 +466,11 @@ TABLE = [
         ["system/fvSolution", "'U'", "value 0.7", "allowed: a value from 1 to 1"],
     ),
     (
+        "relaxationOfOldForm",
+        swap("system/fvSolution", "solvers\n{", "relaxationFactors { U 0.7; }\n\nsolvers\n{"),
+        ["system/fvSolution", "'U'", "value 0.7", "allowed: a value from 1 to 1"],
+    ),
+    (
         "boundedConvection",
         swap(SCHEMES, "U)   Gauss linear", "U)   bounded Gauss linear"),
         [SCHEMES, "bounded Gauss linear", "the scheme without 'bounded'"],

@@ -82,19 +82,26 @@ void Foam::refuseRelaxation(const dictionary& fvSolution)
     {
         return;
     }
-    for (const word& kind : {word("fields"), word("equations")})
+    // As OpenFOAM has them, and as it once had them
+    for
+    (
+        const dictionary* dict
+      : {factors, factors->findDict("fields"), factors->findDict("equations")}
+    )
     {
-        const dictionary* dict = factors->findDict(kind);
         if (!dict)
         {
             continue;
         }
         for (const entry& e : *dict)
         {
-            dictionaryInput::getScalarOrDefault
-            (
-                *dict, e.keyword(), dimless, 1, 1, 1
-            );
+            if (!e.isDict())
+            {
+                dictionaryInput::getScalarOrDefault
+                (
+                    *dict, e.keyword(), dimless, 1, 1, 1
+                );
+            }
         }
     }
 }

@@ -131,9 +131,8 @@ Foam::tmp<Foam::volVectorField> Foam::grainFluidExchange::seenByGrains
 }
 
 
-void Foam::grainFluidExchange::findShares()
+void Foam::grainFluidExchange::setShares()
 {
-    resolved_->update();
     if (!resolved_->isActive())
     {
         fields_.fluidShare == epsAmongGrains();
@@ -164,6 +163,13 @@ void Foam::grainFluidExchange::findShares()
         fields_.kappa[celli] -= resolved_->isLiquid(celli) ? 0 : excess;
     }
     share.correctBoundaryConditions();
+}
+
+
+void Foam::grainFluidExchange::followGrains()
+{
+    resolved_->followGrains();
+    setShares();
 }
 
 
@@ -205,7 +211,8 @@ void Foam::grainFluidExchange::predictOnce(const volVectorField& cellU)
     const tmp<volVectorField> U(seenByGrains(cellU));
 
     fields_.clear();
-    findShares();
+    resolved_->update();
+    setShares();
     unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutGrains.H"
+#include "cutNeighbours.H"
 
 #include "fvc.H"
 
@@ -107,13 +108,14 @@ Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
     }
 
     List<cellsAhead> ahead(mesh_.nCells());
-    forNeighbours
+    forCutNeighbours
     (
+        cells_,
         U,
-        [&](const label c, const neighbour& x)
+        [&](const label c, const cutNeighbour<vector>& x)
         {
             const scalar along = max(normal[c] & x.out, scalar(0));
-            ahead[c].add(sqr(along)*pow4(x.fluid), x.velocity, x.way);
+            ahead[c].add(sqr(along)*pow4(x.fluid), x.value, x.way);
         }
     );
 

@@ -6,6 +6,7 @@
 #include "cutGrains.H"
 
 #include "combineOverRanks.H"
+#include "cutSlopes.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "gaussConvectionScheme.H"
@@ -55,7 +56,11 @@ void Foam::cutGrains::addToMomentum
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
 
     const cutCurvature curvature(setLinks(U));
-    UEqn -= fvc::surfaceIntegrate(besideTheLine(U, mu));
+    const cutSlopes<vector> slopes
+    (
+        cells_, U, [&](const label walli) { return velocityAt(walli); }
+    );
+    UEqn -= fvc::surfaceIntegrate(mu*mesh_.magSf()*slopes.besideTheLine());
     UEqn -= fvc::surfaceIntegrate(curvature.flux(mu));
 
     outflow_ =
@@ -104,12 +109,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::smallerFluid() const
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluidOfFaces() const
-{
-    return max(fvc::interpolate(cells_.fluid()), scalar(SMALL));
-}
-
-
 void Foam::cutGrains::startCorrections
 (
     const volScalarField& inertia,
@@ -131,10 +130,10 @@ void Foam::cutGrains::startCorrections
     sumOverRanks(resists_);
     setInertia();
     const surfaceScalarField diagonal(fvc::interpolate(A));
-    left_ = smallerFluid()*fvc::interpolate(inertia)/(fluidOfFaces()*diagonal);
+    left_ = smallerFluid()*fvc::interpolate(inertia)/(cells_.fluidOfFaces()*diagonal);
     const surfaceScalarField& cut = cells_.cutFaces();
     mobility =
-        (1 - cut)*mobility + cut*cells_.open()*fluidOfFaces()/diagonal;
+        (1 - cut)*mobility + cut*cells_.open()*cells_.fluidOfFaces()/diagonal;
 }
 
 
@@ -156,7 +155,7 @@ void Foam::cutGrains::correctFlux
     const volScalarField& fluid = cells_.fluid();
     const tmp<surfaceScalarField> tofCells
     (
-        fvc::flux(fluid*U.oldTime())/fluidOfFaces()
+        fvc::flux(fluid*U.oldTime())/cells_.fluidOfFaces()
     );
     flux =
         (1 - cut)*flux

@@ -46,7 +46,7 @@ Foam::grainFluidHeat::grainFluidHeat
     )
 {
     checkProperties(T);
-    exchange.findShares();
+    exchange.followGrains();
     setOpenConductivity();
     noteGapsTwice();
     if (resolved_.conducts())
@@ -110,7 +110,7 @@ void Foam::grainFluidHeat::setOpenConductivity()
         fluid_.kappaEff()
        *max
         (
-            exchange_.fields().fluidShare + exchange_.resolved().locked(),
+            exchange_.fields().fluidShare + 1 - exchange_.resolved().open(),
             transportFlux::least
         );
 }
@@ -122,7 +122,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     const volVectorField& U
 )
 {
-    exchange_.findShares();
+    exchange_.followGrains();
     setOpenConductivity();
 
     cellHeat result(openConductivity_);
@@ -131,7 +131,8 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     nodes_ = std::make_unique<heatNodes>
     (
         grains_, exchange_.resolved(), fluid_.capacity(),
-        unresolved_.conductance(), resolved_.lockedVolume()
+        unresolved_.conductance() + resolved_.conductance(),
+        resolved_.lockedVolume()
     );
     if (others_)
     {

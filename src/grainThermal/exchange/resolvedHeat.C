@@ -49,8 +49,19 @@ Foam::resolvedHeat::resolvedHeat
 :
     grains_(grains),
     resolved_(resolved),
-    conducts_(conductsInside(grains))
-{}
+    conducts_(conductsInside(grains)),
+    lockedVolume_(grains.size(), Zero)
+{
+    if (!resolved.leavesParts())
+    {
+        return;
+    }
+    if (conducts_)
+    {
+        resolved.requireWholeCells("grains that conduct inside");
+    }
+    cut_ = std::make_unique<cutHeat>(grains);
+}
 
 
 Foam::tmp<Foam::volScalarField> Foam::resolvedHeat::grainOfCells() const
@@ -218,6 +229,15 @@ void Foam::resolvedHeat::setFaces
 }
 
 
+Foam::scalarField Foam::resolvedHeat::conductance() const
+{
+    return
+        cut_
+      ? cut_->conductance()
+      : scalarField(grains_.overlaps().size(), Zero);
+}
+
+
 void Foam::resolvedHeat::add
 (
     const volScalarField& T,
@@ -234,6 +254,11 @@ void Foam::resolvedHeat::add
     const scalar deltaT = mesh.time().deltaTValue();
 
     lockedVolume_ = scalarField(grains_.size(), Zero);
+    if (cut_)
+    {
+        cut_->add(T, kappaOfFluid, cells);
+        return;
+    }
     forAll(mesh.V(), celli)
     {
         const label graini = resolved_.grainOf(celli);

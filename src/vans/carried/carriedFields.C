@@ -6,6 +6,7 @@
 #include "carriedFields.H"
 
 #include "dictionaryInput.H"
+#include "resolvedTerm.H"
 #include "surfaceInterpolate.H"
 #include "vansTurbulence.H"
 
@@ -111,6 +112,20 @@ Foam::carriedFields::carriedFields
 Foam::carriedFields::~carriedFields() = default;
 
 
+void Foam::carriedFields::surround(const resolvedTerm& resolved)
+{
+    if (!resolved.leavesParts())
+    {
+        return;
+    }
+    if (turbulence_)
+    {
+        resolved.requireWholeCells("turbulence");
+    }
+    fluid_ = nullptr;
+}
+
+
 bool Foam::carriedFields::isActive() const
 {
     return isMore_ || turbulence_ || scalars_.size();
@@ -190,7 +205,10 @@ void Foam::carriedFields::carry
 void Foam::carriedFields::skip()
 {
     flux_.skip();
-    fluid_->forgetMass();
+    if (fluid_)
+    {
+        fluid_->forgetMass();
+    }
     hasCarried_ = false;
 }
 

@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutHeat.H"
+
+#include "cutSlopes.H"
+
+Foam::cutHeat::cutHeat(const grainSystem& grains)
+:
+    grains_(grains),
+    cells_(grains)
+{}
+
+
+Foam::scalar Foam::cutHeat::perConductivity(const cutCells::wall& x) const
+{
+    const fvMesh& mesh = grains_.mesh();
+    if (cells_.fluid()[x.cell] <= 0)
+    {
+        return x.share*mesh.V()[x.cell]/sqr(cells_.cellSize(x.cell));
+    }
+    // Of a wedge that is all corner
+    constexpr scalar most = 3;
+
+    const scalar squares = sqr(x.distance) + cells_.spreadAlong(x);
+    const scalar curvature = (mesh.nGeometricD() - 1)/mag(x.arm);
+    return
+        mag(x.area)/x.distance
+       *(1 + min(0.5*squares*curvature/x.distance, most));
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cutHeat::ratio
+(
+    const volScalarField& T
+) const
+{
+    constexpr scalar least = 0.1, most = 3;
+
+    const fvMesh& mesh = T.mesh();
+    const cutSlopes<scalar> slopes
+    (
+        cells_,
+        T,
+        [&](const label walli)
+        {
+            return grains_.temperatures().temperature(cells_.walls()[walli].grain);
+        }
+    );
+    tmp<surfaceScalarField> tratio(slopes.besideTheLine());
+    surfaceScalarField& ratio = tratio.ref();
+    const auto set = [](scalar& x, const scalar alone)
+    {
+        x = mag(alone) > VSMALL ? min(max(1 + x/alone, least), most) : 1;
+    };
+    const surfaceScalarField perLength
+    (
+        cells_.conductance()*mesh.nonOrthDeltaCoeffs()
+    );
+    forAll(mesh.owner(), i)
+    {
+        set
+        (
+            ratio[i], perLength[i]*(T[mesh.neighbour()[i]] - T[mesh.owner()[i]])
+        );
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        fvsPatchScalarField& atPatch = ratio.boundaryFieldRef()[patchi];
+        const fvPatchScalarField& TPatch = T.boundaryField()[patchi];
+        if (!TPatch.coupled())
+        {
+            atPatch = 1;
+            continue;
+        }
+        const scalarField jump
+        (
+            TPatch.patchNeighbourField() - TPatch.patchInternalField()
+        );
+        forAll(jump, i)
+        {
+            set(atPatch[i], perLength.boundaryField()[patchi][i]*jump[i]);
+        }
+    }
+    ratio.dimensions().reset(dimless);
+    return tratio;
+}
+
+
+void Foam::cutHeat::add
+(
+    const volScalarField& T,
+    const volScalarField& kappa,
+    cellHeat& cells
+)
+{
+    cells_.update();
+    cells.conductivity *= cells_.conductance()*ratio(T);
+
+    const overlapList& overlaps = grains_.overlaps();
+    const scalarField& V = T.mesh().V();
+    conductance_ = scalarField(overlaps.size(), Zero);
+    label walli = 0;
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            const cutCells::wall& x = cells_.walls()[walli++];
+            conductance_[o.index] = kappa[o.cell]*perConductivity(x);
+            cells.coefficient[o.cell] += conductance_[o.index]/V[o.cell];
+        }
+    }
+}

@@ -15,13 +15,14 @@ from grain_box import (
     run_whole_and_parts,
     tracks,
 )
-from heat_box import fix_grains, stream, with_heat, write_scalar
+from heat_box import fix_grains, stream, write_scalar
 from moving_frames import drag_and_jump, force
 from sphere_box import SIDE, sphere_box
 from test_parallel import decompose
 from test_periodic import fixed
 from test_resolved import creeping_cylinder
 from test_restart import assert_same
+from test_turbulence import channel
 from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
@@ -326,22 +327,35 @@ def test_ranks_agree(clone, ranks):
     assert_ranks_agree(*cases, ranks)
 
 
-def test_scalars_are_refused(clone):
-    case = choose(with_cells(grain_box(clone, [(0.05, 0.05)], 0.012), 40))
+def test_scalars_are_kept(clone):
+    """A disc falls through dyed fluid: what is even stays so, and none is lost."""
+    case = choose(falling(clone))
     file = case.path / FLUID
-    file.write_text(f"{file.read_text()}\nscalars {{ dye {{ D 0; }} }}\n")
+    file.write_text(f"{file.read_text()}\nscalars {{ even {{ D 1e-6; }} dye {{ D 0; }} }}\n")
     walls = 'frontAndBack { type empty; } ".*" { type zeroGradient; }'
-    write_scalar(case, "dye", "0 0 0 0 0 0 0", 1, walls)
-    schemes = "    div(phiFluid,dye) Gauss upwind;\n    div(tau)"
-    replace(case, "system/fvSchemes", "    div(tau)", schemes)
-    solver = "    dye { solver PBiCGStab; preconditioner DILU; tolerance 1e-9; }\n    U\n"
-    replace(case, "system/fvSolution", "    U\n", solver)
-    refused(case, "grainFoam", "scalars or turbulence")
+    height = np.array([polygon.mean(axis=0)[1] for polygon in case.mesh().polygons])
+    below = (height < np.median(height)).astype(float)
+    schemes, solvers = "", ""
+    for name, values in (("even", 1.0), ("dye", below)):
+        write_scalar(case, name, "0 0 0 0 0 0 0", values, walls)
+        schemes += f"    div(phiFluid,{name}) Gauss upwind;\n"
+        solvers += f"    {name} {{ solver PBiCGStab; preconditioner DILU; tolerance 1e-14; }}\n"
+    replace(case, "system/fvSchemes", "    div(tau)", f"{schemes}    div(tau)")
+    replace(case, "system/fvSolution", "    U\n", f"{solvers}    U\n")
+    case.run("grainFoam")
+    np.testing.assert_allclose(case.field("even"), 1, rtol=0, atol=1e-9)
+    dye = case.field("dye")
+    assert dye.min() >= -1e-9
+    assert dye.max() <= 1 + 1e-9
+    assert np.abs(ledger(case)["carriedUnaccounted"]).max() <= 1e-11
 
 
-def test_heat_is_refused(clone):
-    case = choose(with_cells(grain_box(clone, [(0.05, 0.05)], 0.012), 40))
-    refused(with_heat(case), "grainThermalFoam", "heat")
+def test_turbulence_is_refused(clone):
+    case = channel(clone, [(0.05, 0.05)])
+    replace(case, "system/blockMeshDict", "(16 12 1)", "(120 120 1)")
+    case.run("blockMesh")
+    choose(case)
+    refused(case, "grainFoam", "turbulence")
 
 
 def test_two_fluids_are_refused(clone):

@@ -37,8 +37,8 @@ def places(rng, dimension, n, radius):
     return np.array(centres)
 
 
-def random_box(clone, rng, dimension, steps):
-    size = spread(rng, 0.2, 10)
+def random_box(clone, rng, dimension, steps, smallest=0.2, least_Re=0.1):
+    size = spread(rng, smallest, 10)
     cells = max(10 if dimension == 2 else 5, int(1.6 * size))
     h = SIDE / cells
     radius = 0.5 * h * size
@@ -50,7 +50,7 @@ def random_box(clone, rng, dimension, steps):
     # Conduction of a sphere in a fluid at rest: Nu = 2
     deltaT = spread(rng, 1e-3, 1e3) * RHO * CP * (2 * radius) ** 2 / (12 * kappa)
     speed = 0.2 * h / deltaT
-    nu = speed * 2 * radius / spread(rng, 0.1, 100)
+    nu = speed * 2 * radius / spread(rng, least_Re, 100)
     velocity = rng.uniform(-speed, speed, centres.shape)
 
     if dimension == 2:

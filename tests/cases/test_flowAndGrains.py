@@ -37,9 +37,9 @@ def test_pressure_drop_and_velocity_of_a_fixed_bed(clone):
 @pytest.mark.parametrize(
     "cells, radius, low, high",
     [
-        # Cells of several diameters know little of the shear across a grain: no spin of its own
-        (4, 0.005, -0.5, 0.0),
-        (10, 0.005, -0.5, -0.25),
+        # Half of the vorticity of its cells, which it holds back a little: found -0.467, -0.469
+        (4, 0.005, -0.5, -0.45),
+        (10, 0.005, -0.5, -0.45),
         # Freely turning at Re -> 0: half the shear rate, 3 % at eight cells across the grain
         (40, 0.01, -0.515, -0.485),
     ],

@@ -4,7 +4,17 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, lattice, ledger, open_ends, replace, tracks
+from grain_box import (
+    control,
+    grain_box,
+    lattice,
+    ledger,
+    make_cyclic,
+    open_ends,
+    remove_walls,
+    replace,
+    tracks,
+)
 from moving_mesh import add_motion, translate, write
 from sphere_box import field, random_spheres, refine, sphere_box
 
@@ -181,3 +191,69 @@ def test_a_disc_falls_in_a_frame_that_follows_it_as_in_one_at_rest(clone):
     assert followed[-100:].mean() == pytest.approx(at_rest[-100:].mean(), rel=0.01)
     # Cells that are locked and unlocked as the disc crosses them scatter by 2 % at 8 cells
     np.testing.assert_allclose(followed, at_rest, atol=0.03 * fastest)
+
+
+def test_an_accelerated_tank_is_one_in_tilted_gravity(clone):
+    """Grains in the first cells at its walls, too: found within 4 % of their way in the tank."""
+    acceleration, delta_t, steps = 3.0, 1e-3, 40
+    centres = [(0.005, 0.03), (0.005, 0.06), (0.05, 0.05), (0.095, 0.04)]
+    ways = []
+    for moves in (True, False):
+        case = grain_box(clone, centres, 0.0005, name=f"moves{moves}")
+        if moves:
+            path = [0.5 * acceleration * delta_t**2 * n * (n + 1) for n in range(steps + 2)]
+            rows = " ".join(f"({delta_t * n!r} ({x!r} 0 0))" for n, x in enumerate(path))
+            replace(case, "0/U", "type    noSlip", "type movingWallVelocity; value uniform (0 0 0)")
+            wall = "material    steel;\n    }"
+            moving = wall.replace("}", "motion { type mesh; } }")
+            replace(case, "constant/grainProperties", wall, moving)
+            table = f"uniformValue table ({rows}); value uniform (0 0 0);"
+            add_motion(case, {'"left|right|bottom|top"': f"type uniformFixedValue; {table}"})
+        else:
+            replace(case, "constant/g", "(0 -9.81 0)", f"({-acceleration} -9.81 0)")
+        control(case, deltaT=delta_t, endTime=delta_t * steps, writeInterval=steps)
+        case.run("grainFoam")
+        moved = path[steps] if moves else 0
+        ways.append(case.grains()["position"][:, 0] - moved - np.array(centres)[:, 0])
+    assert (ways[1] < -1e-4).all()
+    np.testing.assert_allclose(*ways, rtol=0.05)
+
+
+def test_no_added_mass_where_only_cells_pass_a_shear(clone):
+    """A mesh that moves across a steady shear flow in which a grain has the fluid's velocity."""
+    shear, across, delta_t, steps = 10.0, 0.1, 1e-3, 20
+    centre = (0.05, 0.055)
+    velocity = (shear * centre[1], 0)
+    accelerations = []
+    for added_mass in (0, 0.5):
+        case = grain_box(clone, [centre], 1e-4, velocity=[velocity], name=f"C{added_mass}")
+        make_cyclic(case, ("left", "right"))
+        case.run("blockMesh")
+        heights = (np.arange(10) + 0.5) * 0.01
+        cells = " ".join(f"({shear * y} 0 0)" for y in np.repeat(heights, 10))
+        lids = "".join(
+            f"{name} {{ type uniformFixedValue; value uniform ({shear * y} 0 0); uniformValue table"
+            f" ((0 ({shear * y} 0 0)) (1 ({shear * (y + across)} 0 0))); }}\n"
+            for name, y in (("bottom", 0.0), ("top", 0.1))
+        )
+        text = (case.path / "0/U").read_text()
+        (case.path / "0/U").write_text(
+            text[: text.index("internalField")]
+            + f"internalField nonuniform List<vector> 100({cells});\nboundaryField {{ {lids}"
+            + ' "left|right" { type cyclic; } frontAndBack { type empty; } }\n'
+        )
+        p = '"left|right|bottom|top"'
+        replace(case, "0/p_rgh", p, '"left|right" { type cyclic; } "bottom|top"')
+        replace(case, "constant/g", "-9.81", "0")
+        replace(case, "constant/transportProperties", "1e-4", "1e-8")
+        properties = "constant/grainProperties"
+        remove_walls(case)
+        replace(case, properties, "\ncoupling\n{", f"\ncoupling\n{{\n    addedMass {added_mass};")
+        translate(case, (0, across, 0))
+        control(case, deltaT=delta_t, endTime=delta_t * steps, writeInterval=steps)
+        case.run("grainFoam")
+        change = case.grains()["velocity"][0, 0] - velocity[0]
+        accelerations.append(change / (delta_t * steps))
+    # What there is is the drag of a cell that has moved on, on 2500 and 3000 kg/m3; an added mass of
+    # C rho w G/(rho_p + C rho) would be 0.167 more
+    assert accelerations[1] == pytest.approx(accelerations[0] * 2500 / 3000, rel=0.05)

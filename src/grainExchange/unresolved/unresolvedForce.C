@@ -6,6 +6,31 @@
 #include "unresolvedTerm.H"
 
 #include "fvcGrad.H"
+#include "reconstruction.H"
+#include "turning.H"
+
+namespace
+{
+
+using namespace Foam;
+
+vector vorticity(const tensor& grad)
+{
+    return vector
+    (
+        grad.yz() - grad.zy(), grad.zx() - grad.xz(), grad.xy() - grad.yx()
+    );
+}
+
+
+//- Velocity in the cells as seen from them
+tmp<volVectorField> relativeToCells(const volVectorField& U)
+{
+    const fvMesh& mesh = U.mesh();
+    return mesh.moving() ? U - reconstructed(mesh.phi()) : tmp<volVectorField>(U);
+}
+
+}
 
 void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
 {
@@ -20,6 +45,7 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
     }
 
     const volTensorField gradU(fvc::grad(U));
+    const tmp<volVectorField> through(relativeToCells(U));
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -32,19 +58,13 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
             const tensor& grad = gradU[o.cell];
             const vector w(U[o.cell] - motion.at(o.arm));
 
-            e = -dragOfAddedMass(o.cell)*(w - deltaT*(U[o.cell] & grad));
+            e = -dragOfAddedMass(o.cell)*(w - deltaT*(through()[o.cell] & grad));
 
-            const vector vorticity
-            (
-                grad.yz() - grad.zy(),
-                grad.zx() - grad.xz(),
-                grad.xy() - grad.yx()
-            );
             for (const liftLaw& law : lift_)
             {
                 e += law.force
                 (
-                    w, vorticity, motion.spin, d,
+                    w, vorticity(grad), motion.spin, d,
                     fluid_.rho()[o.cell], fluid_.mu()[o.cell]
                 );
             }
@@ -92,6 +112,30 @@ void Foam::unresolvedTerm::addForceAtStart
 }
 
 
+Foam::vector Foam::unresolvedTerm::torqueOfLaw
+(
+    const label graini,
+    const cellOverlap& o,
+    const tensor& gradU
+) const
+{
+    const label D = grains_.mesh().nGeometricD();
+    const scalar R = grains_.members(graini)[0].radius;
+    const scalar rhop = grains_.motion().density(graini);
+    const vector lack
+    (
+        0.5*vorticity(gradU) - grains_.motion().motion(graini).spin
+    );
+    const scalar rate = turning::rate
+    (
+        D, grains_.lawDiameter(graini), rhop,
+        fluid_.rho()[o.cell], fluid_.mu()[o.cell], mag(lack)
+    );
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    return rhop*o.volume*sqr(R)/(D == 2 ? 2 : 2.5)*rate/(1 + deltaT*rate)*lack;
+}
+
+
 void Foam::unresolvedTerm::addForce
 (
     const volVectorField& U,
@@ -117,6 +161,7 @@ void Foam::unresolvedTerm::addForce
             continue;
         }
         const scalar rhop = grains_.motion().density(graini);
+        const bool isRound = grains_.members(graini).size() == 1;
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
@@ -158,7 +203,19 @@ void Foam::unresolvedTerm::addForce
             );
             force[graini] += weight_.force(o.volume, rho()[o.cell]);
             force[graini] += f;
-            torque[graini] += o.arm ^ (f + shear);
+
+            const scalar byLaw =
+                isRound
+              ? turning::shareOfLaw
+                (
+                    grains_.fluidDiameter(graini), undisturbed_.cellSize(o.cell)
+                )
+              : 0;
+            torque[graini] += (1 - byLaw)*(o.arm ^ (f + shear));
+            if (byLaw > 0)
+            {
+                torque[graini] += byLaw*torqueOfLaw(graini, o, gradU[o.cell]);
+            }
         }
     }
 }

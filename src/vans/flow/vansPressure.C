@@ -11,6 +11,7 @@
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "wallPolyPatch.H"
 
 namespace
 {
@@ -186,6 +187,32 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
 }
 
 
+void Foam::vansFlow::addForceOfWalls(surfaceScalarField& gradient) const
+{
+    if (!mesh_.moving())
+    {
+        return;
+    }
+    const scalar deltaT = mesh_.time().deltaTValue();
+    forAll(mesh_.boundary(), patchi)
+    {
+        if (!isA<wallPolyPatch>(mesh_.boundary()[patchi].patch()))
+        {
+            continue;
+        }
+        gradient.boundaryFieldRef()[patchi] -=
+            (
+                step_->inertia.boundaryField()[patchi].patchInternalField()/deltaT
+              + step_->betaf.boundaryField()[patchi]
+            )
+           *(
+                fields_.phiU.boundaryField()[patchi]
+              - fields_.phiU.oldTime().boundaryField()[patchi]
+            );
+    }
+}
+
+
 void Foam::vansFlow::setPressure()
 {
     volScalarField& p_rgh = fields_.p_rgh;
@@ -239,10 +266,11 @@ void Foam::vansFlow::correct(pimpleControl& control)
     resolved_.correctSource(*UEqn_);
     const volVectorField H("H", UEqn_->H());
 
-    const tmp<surfaceScalarField> gradient
+    tmp<surfaceScalarField> gradient
     (
         solvePressure(fluxWithoutPressure(H), control)
     );
+    addForceOfWalls(gradient.ref());
     const volVectorField force(pressureForce(gradient()));
     gradP_ = force/step_->share;
 

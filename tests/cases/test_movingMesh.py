@@ -254,6 +254,6 @@ def test_no_added_mass_where_only_cells_pass_a_shear(clone):
         case.run("grainFoam")
         change = case.grains()["velocity"][0, 0] - velocity[0]
         accelerations.append(change / (delta_t * steps))
-    # What there is is the drag of a cell that has moved on, on 2500 and 3000 kg/m3; an added mass of
-    # C rho w G/(rho_p + C rho) would be 0.167 more
+    # The drag of a cell that has moved on, on 2500 and 3000 kg/m3; the cells' way through the shear
+    # would be 0.167 m/s2 more
     assert accelerations[1] == pytest.approx(accelerations[0] * 2500 / 3000, rel=0.05)

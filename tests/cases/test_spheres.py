@@ -207,8 +207,8 @@ def test_a_sphere_as_large_as_a_cell_is_given_the_undisturbed_flow(clone):
 
 @pytest.mark.parametrize("n, low, high", [(4, 0.48, 0.505), (16, 0.485, 0.515)])
 def test_shear_turns_a_sphere_about_the_axis_of_vorticity(clone, n, low, high):
-    """Oblique to the mesh; spin over shear rate.  Cells of a diameter give it half their vorticity; with
-    four to a diameter the sphere is resolved: half of it at Re -> 0, to 3 %."""
+    """Oblique to the mesh; spin over shear rate.  Cells of a diameter give it half their vorticity;
+    with four to a diameter the sphere is resolved: half of it at Re -> 0, to 3 %."""
     speed, direction = 0.005, np.array([0.6, 0, 0.8])
     case = sphere_box(clone, [(0.05, 0.05, 0.05)], 0.0125, n=n)
     make_cyclic(case, ("left", "right"), ("back", "front"))

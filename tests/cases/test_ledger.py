@@ -24,7 +24,8 @@ def settled(clone, request):
 def test_volume_and_momentum_are_conserved(settled):
     book = ledger(settled)
     assert len(book["time"]) == 300
-    assert book["active"].max() >= 10
+    # Grains lie on one another
+    assert book["active"].max() >= 5
 
     # Overlaps add up to the grain, to round-off; the table has 12 digits
     volume = 20 * np.pi * RADIUS**2 * 0.01

@@ -73,6 +73,7 @@ Foam::vansFlow::vansFlow
     pRefCell_(0),
     pRefValue_(0),
     areFluxesOfU_(!fields.areOfStep),
+    isFirst_(!fields.areOfStep),
     gradP_
     (
         IOobject("gradP", mesh_.time().timeName(), mesh_),
@@ -96,6 +97,7 @@ Foam::volScalarField* Foam::vansFlow::heightTimesGravity() const
 
 void Foam::vansFlow::startStep()
 {
+    isFirst_ = !fields_.areOfStep;
     // A body whose own faces have changed begins with one flow all around it
     if
     (

@@ -196,19 +196,24 @@ void Foam::vansFlow::addForceOfWalls(surfaceScalarField& gradient) const
     const scalar deltaT = mesh_.time().deltaTValue();
     forAll(mesh_.boundary(), patchi)
     {
-        if (!isA<wallPolyPatch>(mesh_.boundary()[patchi].patch()))
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!isA<wallPolyPatch>(patch.patch()))
         {
             continue;
         }
+        const fvPatchVectorField& oldU = fields_.U.oldTime().boundaryField()[patchi];
+        const scalarField oldFlux
+        (
+            isFirst_
+          ? patch.Sf() & oldU.patchInternalField()
+          : tmp<scalarField>(fields_.phiU.oldTime().boundaryField()[patchi])
+        );
         gradient.boundaryFieldRef()[patchi] -=
             (
                 step_->inertia.boundaryField()[patchi].patchInternalField()/deltaT
               + step_->betaf.boundaryField()[patchi]
             )
-           *(
-                fields_.phiU.boundaryField()[patchi]
-              - fields_.phiU.oldTime().boundaryField()[patchi]
-            );
+           *(fields_.phiU.boundaryField()[patchi] - oldFlux);
     }
 }
 

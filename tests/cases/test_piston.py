@@ -215,3 +215,15 @@ def test_walls_that_the_fluid_does_not_see_are_named(clone):
     control(case, endTime=2e-3)
     case.run("grainFoam")
     assert "Wall 'piston' moves inside a mesh that does not" in case.log
+
+
+def test_fluid_before_a_piston_has_its_speed(clone):
+    """Between walls that slip; the first cells had 0.77, 1.16 and 0.91 of it."""
+    case = piston(clone, *MOTIONS["mesh"])
+    (case.path / "constant/grains.csv").write_text("x,y,z,radius\n")
+    slip = '"bottom|top" { type slip; }'
+    replace(case, "0/U", slip.replace("slip", "noSlip"), slip)
+    replace(case, "constant/transportProperties", "1e-4;", "1e-6;")
+    replace(case, "constant/g", "-9.81", "0")
+    case.run("grainFoam")
+    np.testing.assert_allclose(case.field("U")[:, 0], SPEED, rtol=2e-3)

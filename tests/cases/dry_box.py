@@ -54,3 +54,15 @@ def cubic(nx, ny, nz, spacing, corner):
     """Centres of a cubic lattice, the first at the corner."""
     x, y, z = np.meshgrid(np.arange(nx), np.arange(ny), np.arange(nz), indexing="ij")
     return np.column_stack([x.ravel(), y.ravel(), z.ravel()]) * spacing + np.asarray(corner)
+
+
+def write_facets(case, name, facets):
+    """constant/triSurface/<name>.stl of triangles, three corners each."""
+    corner = "vertex {!r} {!r} {!r}"
+    lines = [f"solid {name}"]
+    for facet in facets:
+        corners = " ".join(corner.format(*map(float, c)) for c in facet)
+        lines.append(f"facet normal 0 0 1 outer loop {corners} endloop endfacet")
+    folder = case.path / "constant/triSurface"
+    folder.mkdir(exist_ok=True)
+    (folder / f"{name}.stl").write_text("\n".join([*lines, f"endsolid {name}", ""]))

@@ -24,6 +24,10 @@ constexpr double largestPush = 0.1;
 /// load, step after step, and a deep pile whose impulses do not converge sinks into itself (doc/theory, eq. 5.8).
 constexpr double slack = 5e-3;
 
+/// Part of the slack that grains which attract each other may open: they move along chords, which opens a pair that
+/// turns in every step, and beyond the slack there is no attraction (doc/theory, eq. 5.23).
+constexpr double attractedSlack = 0.5;
+
 template <int D>
 Tangent<D> inTangentPlane(const Tangent<D>& impulse, const Vector<D>& normal)
 {
@@ -93,14 +97,15 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
             // A flight may lead into another body or, back to the beginning, out of one: that is no overlap
             const bool isDeep = std::max(gap, approach.gap) < -largestPush * radius;
             const Origin origin{p, isDeep ? -largestPush * radius : gap, attraction(p, gap, impulses[p]), gap};
+            const double limit = approachLimit(p, gap, origin.attraction > 0);
             if (isLevered(pair))
             {
                 addLevered(pair, approach, impulses[p], j, bodies);
-                levered_.back().approachLimit = approachLimit(p, gap);
+                levered_.back().approachLimit = limit;
                 leveredOrigin_.push_back(origin);
                 continue;
             }
-            contacts_.push_back({approach.normal, approachLimit(p, gap),
+            contacts_.push_back({approach.normal, limit,
                                  1 / normalW(bodies[i], bodies[j]),
                                  arrangement_.parameters(pair).friction, impulses[p].normal,
                                  inTangentPlane<D>(impulses[p].tangential, approach.normal), i, j});
@@ -267,10 +272,10 @@ void ContactProblem<D>::addLevered(const Pair& pair, const Approach<D>& approach
 }
 
 template <int D>
-double ContactProblem<D>::approachLimit(std::size_t p, double gap) const
+double ContactProblem<D>::approachLimit(std::size_t p, double gap, bool attracts) const
 {
-    const double open = loaded_[p] ? slack * arrangement_.radius(candidates_.pairs()[p]) : 0;
-    return std::max(0.0, gap - open) / dt_;
+    const double share = !loaded_[p] ? 0 : attracts ? attractedSlack * slack : slack;
+    return std::max(0.0, gap - share * arrangement_.radius(candidates_.pairs()[p])) / dt_;
 }
 
 template <int D>

@@ -230,7 +230,7 @@ private:
     Vector<D> wallArm(const Pair& pair, const Approach<D>& approach, int body) const;
 
     /// Velocity with which a contact may close [m/s].
-    double approachLimit(std::size_t p, double gap) const;
+    double approachLimit(std::size_t p, double gap, bool attracts) const;
 
     double attraction(std::size_t p, double gap, const Impulse<D>& impulse) const;
 

@@ -67,3 +67,80 @@ def test_pair_that_attracts_turns_as_one(clone, dimension, dt, spin):
     angle = np.unwrap(np.arctan2(apart[:, 1], apart[:, 0]))
     # The gap takes 0.5 % of the rate at most, the first impact none
     assert angle[-1] - angle[0] == pytest.approx(spin * (0.2 - dt), rel=6e-3)
+
+
+def write_ceiling(case, angle):
+    """Two strips that meet at x = 0.05, z = 0.08, at an angle; > 0 for a ridge."""
+    rise = 0.05 * np.tan(angle / 2)
+    ends = [(0.0, 0.08 + rise), (0.05, 0.08), (0.1, 0.08 + rise)]
+    facets = []
+    for (a, b), (c, d) in zip(ends[:-1], ends[1:], strict=True):
+        corners = [(a, b, -0.1), (c, d, -0.1), (c, d, 0.1), (a, b, 0.1)]
+        facets += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+    write_facets(case, "ceiling", facets)
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.02])
+@pytest.mark.parametrize("degrees", [-2.0, 0.1, 5.0])
+def test_disc_goes_over_the_kink_of_a_ceiling(clone, degrees, delay):
+    """It hangs by five times its weight, pressed on until the contact is old enough."""
+    angle = np.radians(degrees)
+    normal = np.array([-np.sin(angle / 2), -np.cos(angle / 2)])
+    start = np.array([0.03, 0.08 + 0.02 * np.tan(angle / 2)]) + (RADIUS + 1e-8) * normal
+    speed = 0.2 * np.array([np.cos(angle / 2), -np.sin(angle / 2)])
+    case = dry_box(clone, [start], RADIUS, [speed], dimension=2)
+    replace(case, GRAINS, "(left right bottom top)", "(left right bottom)")
+    ceiling = 'type surface; file "ceiling.stl"; material steel;'
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    ceiling {{ {ceiling} }}\n")
+    write_ceiling(case, angle)
+    law = f"type cohesive; friction 0; cohesion {5 * weight(2)}; cohesionDelay {delay};"
+    set_law(case, law)
+    set_gravity(case, 2, G)
+    control(case, endTime=0.04, writeInterval=40)
+    case.run("dryGrainFoam")
+    replace(case, "constant/g", f"{G}", f"-{G}")
+    control(case, endTime=0.25, writeInterval=50)
+    case.run("dryGrainFoam")
+    position = case.grains()["position"][0]
+    assert position[0] > 0.07
+    # As far from the ceiling as it attracts, half a per cent of the radius, at most
+    height = 0.08 + abs(position[0] - 0.05) * np.tan(angle / 2) - position[1]
+    assert height * np.cos(angle / 2) == pytest.approx(RADIUS, abs=5e-3 * RADIUS)
+
+
+@DIMENSIONS
+def test_grain_slides_along_a_ceiling_of_patches(clone, dimension):
+    """Faces of the mesh, in three dimensions quads cut into triangles."""
+    start = np.full(dimension, 0.023)
+    start[-1] = 0.1 - RADIUS
+    velocity = 0.2 * np.eye(dimension)[0]
+    cases = [
+        dry_box(clone, [start], RADIUS, [velocity], dimension=dimension, name=n) for n in "ab"
+    ]
+    for case in cases:
+        law = f"type cohesive; friction 0; cohesion {5 * weight(dimension)}; cohesionDelay 0.01;"
+        set_law(case, law)
+        set_gravity(case, dimension, G)
+        control(case, endTime=0.02, writeInterval=20)
+        case.run("dryGrainFoam")
+        replace(case, "constant/g", f"{G}", f"-{G}")
+    whole, parts = cases
+    control(whole, endTime=0.3, writeInterval=20)
+    whole.run("dryGrainFoam")
+    # A restart as it passes from one facet to the next
+    for time in (0.14, 0.18, 0.3):
+        control(parts, endTime=time)
+        parts.run("dryGrainFoam")
+    assert_same_grains(whole, parts)
+    end = whole.grains()["position"][0]
+    assert end[0] == pytest.approx(0.083, abs=1e-6)
+    assert end[-1] == pytest.approx(0.1 - RADIUS, abs=5e-3 * RADIUS)
+
+
+def test_wall_beside_a_grain_that_lies_on_another_does_not_attract(clone):
+    """The floor's contact is old, that with the wall was never one."""
+    start = (RADIUS * 1.001, RADIUS)
+    case = dry_box(clone, [start], RADIUS, dimension=2)
+    set_law(case, f"type cohesive; friction 0; cohesion {5 * weight(2)};")
+    case.run("dryGrainFoam")
+    np.testing.assert_allclose(case.grains()["position"], [start], atol=50e-7 * 1e-3)

@@ -164,6 +164,9 @@ public:
 
     bool hasClusters() const { return !arm_.empty(); }
 
+    /// From the centre of a member to the nearest point of the wall that it is paired with [m].
+    Vector<D> wayToWall(const Pair& pair) const { return walls_.way(~pair.second, position_[pair.first]); }
+
     /// Body that a wall belongs to; -1 when it is fixed.
     int wallBody(int wall) const { return wallBody_[wall]; }
 

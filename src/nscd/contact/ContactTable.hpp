@@ -68,6 +68,13 @@ public:
 
     int materials() const { return n_; }
 
+    /// Whether any pair attracts.
+    bool coheres() const
+    {
+        return std::any_of(table_.begin(), table_.end(),
+                           [](const ContactParameters& p) { return p.cohesion > 0 || p.tension > 0; });
+    }
+
     /// Whether a pair's attraction depends on what surrounds the contact.
     bool asksForAmbient() const
     {

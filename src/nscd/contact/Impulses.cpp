@@ -9,6 +9,40 @@ namespace nscd
 namespace
 {
 
+/// Two facets of a wall have one contact if the points where a grain is nearest to them are as near to each other, over
+/// its radius: those in an angle of at most 30 degrees, and what it passes in a step.
+constexpr double close = 0.5;
+
+/// Round-off of distances to facets that share the nearest point, over the radius.
+constexpr double roundOff = 1e-9;
+
+/// Of a member with a facet.
+template <int D>
+struct LoadedFacet
+{
+    int member, body;
+    Vector<D> way;   ///< from the member's centre to the facet [m]
+    double age;      ///< [s]
+};
+
+template <int D>
+std::vector<LoadedFacet<D>> loadedFacets(const Arrangement<D>& arrangement, const std::vector<Pair>& pairs,
+                                         const std::vector<Impulse<D>>& impulses)
+{
+    std::vector<LoadedFacet<D>> loaded;
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+    {
+        if (pairs[p].second < 0 && impulses[p].normal > 0)
+        {
+            loaded.push_back({pairs[p].first, arrangement.wallBody(~pairs[p].second),
+                              arrangement.wayToWall(pairs[p]), impulses[p].age});
+        }
+    }
+    std::sort(loaded.begin(), loaded.end(),
+              [](const LoadedFacet<D>& a, const LoadedFacet<D>& b) { return a.member < b.member; });
+    return loaded;
+}
+
 /// Name the impulse of a pair by user's numbers of members; vectors and moments change sign with the order of the
 /// two, the tangential component of 2-D does not because its direction turns with the normal.
 template <int D>
@@ -33,6 +67,35 @@ NamedImpulse<D> named(const Candidates<D>& candidates, const Pair& pair, Impulse
 }
 
 }  // namespace
+
+template <int D>
+std::vector<char> handOverAges(const Arrangement<D>& arrangement, const std::vector<Pair>& pairs,
+                               std::vector<Impulse<D>>& impulses)
+{
+    std::vector<char> goesOn(pairs.size(), 0);
+    const std::vector<LoadedFacet<D>> loaded = loadedFacets(arrangement, pairs, impulses);
+    for (std::size_t p = 0; !loaded.empty() && p < pairs.size(); ++p)
+    {
+        const Pair& pair = pairs[p];
+        if (pair.second >= 0)
+        {
+            continue;
+        }
+        auto facet = std::lower_bound(loaded.begin(), loaded.end(), pair.first,
+                                      [](const LoadedFacet<D>& f, int member) { return f.member < member; });
+        for (; facet != loaded.end() && facet->member == pair.first; ++facet)
+        {
+            const Vector<D> way = arrangement.wayToWall(pair);
+            const double radius = arrangement.radius(pair);
+            if (facet->body == arrangement.wallBody(~pair.second) && (way - facet->way).norm() < close * radius)
+            {
+                impulses[p].age = std::max(impulses[p].age, facet->age);
+                goesOn[p] = goesOn[p] || way.norm() <= facet->way.norm() + roundOff * radius;
+            }
+        }
+    }
+    return goesOn;
+}
 
 template <int D>
 std::vector<NamedImpulse<D>> gatherImpulses(const Candidates<D>& candidates, const std::vector<Impulse<D>>& impulses,
@@ -88,6 +151,8 @@ std::vector<Impulse<D>> matchImpulses(const Candidates<D>& candidates, const std
     return impulses;
 }
 
+template std::vector<char> handOverAges(const Arrangement<2>&, const std::vector<Pair>&, std::vector<Impulse<2>>&);
+template std::vector<char> handOverAges(const Arrangement<3>&, const std::vector<Pair>&, std::vector<Impulse<3>>&);
 template std::vector<NamedImpulse<2>> gatherImpulses(const Candidates<2>&, const std::vector<Impulse<2>>&,
                                                      const Communicator&);
 template std::vector<NamedImpulse<3>> gatherImpulses(const Candidates<3>&, const std::vector<Impulse<3>>&,

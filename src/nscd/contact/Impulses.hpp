@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "nscd/contact/Candidates.hpp"
+#include "nscd/contact/Arrangement.hpp"
 #include "nscd/contact/Contact.hpp"
 
 namespace nscd
@@ -16,7 +16,7 @@ struct Impulse
     double normal = 0;
     Tangent<D> tangential = zeroTangent<D>();
     Tangent<D> rolling = zeroTangent<D>();   ///< angular impulse on the second [N m s]
-    double age = 0;   ///< how long the contact has carried an impulse without a break [s]
+    double age = 0;   ///< how long the contact, or one that it continues, has carried an impulse without a break [s]
 };
 
 /// What the impacts of a pair gave to the second body in a sub-step.
@@ -44,6 +44,13 @@ struct NamedImpulse
 template <int D>
 std::vector<NamedImpulse<D>> gatherImpulses(const Candidates<D>& candidates, const std::vector<Impulse<D>>& impulses,
                                             const Communicator& communicator);
+
+/// Let contacts with walls go on from one facet to the next: a facet has at least the age of the member's contacts with
+/// others of the same body, if the points where the member is nearest to the two are close to each other.  Returns
+/// which pairs are contacts that go on so: to a facet that is no farther.
+template <int D>
+std::vector<char> handOverAges(const Arrangement<D>& arrangement, const std::vector<Pair>& pairs,
+                               std::vector<Impulse<D>>& impulses);
 
 /// The impulses of this rank's candidates; zero for pairs that are not in the list.
 template <int D>

@@ -52,6 +52,7 @@ void ContactDynamics<D>::Implementation::measureGrains()
     }
     bounces_ = false;
     levered_ = !members_.simple() || freeBodies() > 0;
+    coheres_ = table_.coheres();
     for (int a = 0; a < table_.materials(); ++a)
     {
         for (int b = a; b < table_.materials(); ++b)

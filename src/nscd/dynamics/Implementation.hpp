@@ -231,7 +231,7 @@ private:
     std::vector<int> freeBodyOfWall_;     ///< number of the free body a wall belongs to; -1 for none
     Arrangement<D> arrangement_;
 
-    bool bounces_ = false, levered_ = false;   ///< do some contacts?
+    bool bounces_ = false, levered_ = false, coheres_ = false;   ///< do some contacts?
     Members<D> members_;
     double smallestRadius_ = 0, meanRadius_ = 0, largestRadius_ = 0;
     Candidates<D> candidates_;

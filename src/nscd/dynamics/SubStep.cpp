@@ -64,7 +64,8 @@ bool ContactDynamics<D>::Implementation::solveContacts(double dt, StepReport& re
         collide(dt, report);
     }
     makeBodies(dt);
-    problem_.begin(impulses_, dt);
+    problem_.begin(impulses_, dt,
+                   coheres_ ? handOverAges(arrangement_, candidates_.pairs(), impulses_) : std::vector<char>());
     problem_.choose(bodies_, impulses_);
     contactsOfOthers_.clear();
     report.detectionTime += watch.restart();

@@ -55,13 +55,14 @@ void ContactProblem<D>::clear()
 }
 
 template <int D>
-void ContactProblem<D>::begin(const std::vector<Impulse<D>>& impulses, double dt)
+void ContactProblem<D>::begin(const std::vector<Impulse<D>>& impulses, double dt, std::vector<char> goesOn)
 {
     dt_ = dt;
     incomplete_ = false;
-    loaded_.resize(impulses.size());
-    std::transform(impulses.begin(), impulses.end(), loaded_.begin(),
-                   [](const Impulse<D>& impulse) { return impulse.normal > 0; });
+    loaded_ = std::move(goesOn);
+    loaded_.resize(impulses.size(), 0);
+    std::transform(impulses.begin(), impulses.end(), loaded_.begin(), loaded_.begin(),
+                   [](const Impulse<D>& impulse, char loaded) { return impulse.normal > 0 || loaded; });
     kept_ = loaded_;
 }
 
@@ -339,8 +340,8 @@ double ContactProblem<D>::findMissing(const std::vector<Body<D>>& bodies)
 
 template void ContactProblem<2>::clear();
 template void ContactProblem<3>::clear();
-template void ContactProblem<2>::begin(const std::vector<Impulse<2>>&, double);
-template void ContactProblem<3>::begin(const std::vector<Impulse<3>>&, double);
+template void ContactProblem<2>::begin(const std::vector<Impulse<2>>&, double, std::vector<char>);
+template void ContactProblem<3>::begin(const std::vector<Impulse<3>>&, double, std::vector<char>);
 template void ContactProblem<2>::choose(std::vector<Body<2>>&, const std::vector<Impulse<2>>&);
 template void ContactProblem<3>::choose(std::vector<Body<3>>&, const std::vector<Impulse<3>>&);
 template std::optional<ContactProblem<2>::Opening> ContactProblem<2>::openingOf(std::size_t,

@@ -92,8 +92,8 @@ public:
     /// Be without contacts: the list of candidates is another one.
     void clear();
 
-    /// Start a sub-step with the impulses of the last one, scaled to dt.
-    void begin(const std::vector<Impulse<D>>& impulses, double dt);
+    /// Start a sub-step with the impulses of the last one, scaled to dt; marked candidates go on with those of others.
+    void begin(const std::vector<Impulse<D>>& impulses, double dt, std::vector<char> goesOn);
 
     /// Select the candidates that would touch, or nearly so, at the bodies' present velocities and those that
     /// residual() has found missing, keeping all chosen before; take over their impulses without applying them.
@@ -250,7 +250,7 @@ private:
     const BodyData<D>& data_;
     double dt_ = 0;
     std::vector<char> kept_;              ///< candidates that are in the problem, or must be
-    std::vector<char> loaded_;            ///< candidates with an impulse in the last sub-step
+    std::vector<char> loaded_;            ///< candidates with an impulse in the last sub-step, or that go on with one
     bool incomplete_ = false;
     std::vector<Contact<D>> contacts_;
     std::vector<LeveredContact<D>> levered_;

@@ -238,6 +238,18 @@ double WallContact<D>::distance(int wall, const Vector<D>& x) const
 }
 
 template <int D>
+Vector<D> WallContact<D>::way(int wall, const Vector<D>& x) const
+{
+    const int facet = facetOf_[wall];
+    if (facet < 0)
+    {
+        return -height(halfSpaces_[~facet], x) * halfSpaces_[~facet].normal;
+    }
+    const Vector<D> near = image(wall, x);
+    return mesh_.nearest(facet, near).point - near;
+}
+
+template <int D>
 bool WallContact<D>::separates(const Vector<D>& x, const Vector<D>& way) const
 {
     // What passes between two facets that share an edge passes one of them

@@ -56,6 +56,9 @@ public:
     /// Distance of a point to the nearest point of a wall [m]; negative inside a half space.
     double distance(int wall, const Vector<D>& x) const;
 
+    /// From a point to the nearest point of a wall [m].
+    Vector<D> way(int wall, const Vector<D>& x) const;
+
     /// The periodic image of x that is nearest to a facet; half spaces have none.
     Vector<D> image(int wall, const Vector<D>& x) const;
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "nscd/base/Check.hpp"
 #include "nscd/contact/LeveredContact.hpp"
 #include "nscd/shape/Grains.hpp"
 #include "nscd/walls/Walls.hpp"
@@ -147,8 +148,17 @@ struct FreeWall
     Spin<D> spin;
 };
 
-/// Turn a grain by its spin over dt.  The angular momentum stays, and with it the spin of a disc or sphere; that of a
-/// cluster follows its axes (the gyroscopic term of Euler's equations, explicit midpoint rule).
+/// Turn a body by its spin over dt and let the spin follow its axes (the gyroscopic term of Euler's equations, explicit
+/// midpoint rule); spinAt(orientation) is the one of the same angular momentum.
+template <int D, class SpinAt>
+void turn(Orientation<D>& orientation, Spin<D>& spin, double dt, SpinAt&& spinAt)
+{
+    const Orientation<D> middle = turned(orientation, spin, 0.5 * dt);
+    orientation = turned(orientation, spinAt(middle), dt);
+    spin = spinAt(orientation);
+}
+
+/// Turn a grain by its spin over dt.  The angular momentum stays, and with it the spin of a disc or sphere.
 template <int D>
 void turn(Grains<D>& grains, std::size_t i, double dt)
 {
@@ -159,9 +169,23 @@ void turn(Grains<D>& grains, std::size_t i, double dt)
         return;
     }
     const Spin<D> momentum = angularMomentum<D>(grains, i, grains.spin[i]);
-    const Orientation<D> middle = turned(orientation, grains.spin[i], 0.5 * dt);
-    orientation = turned(orientation, spinOf<D>(grains, i, middle, momentum), dt);
-    grains.spin[i] = spinOf<D>(grains, i, orientation, momentum);
+    turn<D>(orientation, grains.spin[i], dt,
+            [&](const Orientation<D>& at) { return spinOf<D>(grains, i, at, momentum); });
+}
+
+/// Turn a wall by its spin over dt.  A free one keeps its angular momentum; a moment of inertia that is infinite keeps
+/// the spin about the axes that are left.
+template <int D>
+void turn(WallBody<D>& wall, double dt)
+{
+    if (D == 2 || !isFinite(wall.inertia))
+    {
+        wall.orientation = turned(wall.orientation, wall.spin, dt);
+        return;
+    }
+    const Spin<D> momentum = inSpace(wall.orientation, wall.inertia) * wall.spin;
+    turn<D>(wall.orientation, wall.spin, dt, [&](const Orientation<D>& at)
+            { return Spin<D>(inSpace(at, Spin<D>(wall.inertia.cwiseInverse())) * momentum); });
 }
 
 }  // namespace nscd

@@ -208,7 +208,7 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report
             ++k;
         }
         wall.position += dt * (wall.velocity + displacement);
-        wall.orientation = turned(wall.orientation, wall.spin, dt);
+        turn(wall, dt);
     }
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
 }

@@ -136,7 +136,7 @@ bool Foam::functionObjects::wallForces::write()
             {
                 ++number;
                 force += c.force;
-                moment += (c.place - origin_) ^ c.force;
+                moment += ((c.place - origin_) ^ c.force) + c.moment;
             }
         }
         files_[i]

@@ -264,7 +264,7 @@ Foam::grainDynamics<D>::contacts() const
         ({
             c.first, max(label(c.second), label(-1)),
             space().positionInSpace(c.point), space().toSpace(c.normal),
-            space().toSpace(c.force), c.gap,
+            space().toSpace(c.force), space().spinInSpace(c.moment), c.gap,
             heat_ ? heat_->flow(c, grains()) : 0,
             c.second < 0 ? properties_.walls().entry()[~c.second] : -1
         });

@@ -19,6 +19,7 @@ struct ContactForce
     double gap;          ///< [m], at the beginning of the sub-step
     double pressing;     ///< with which the surfaces press on each other >= 0 [N]: what the normal part of the force
                          ///< and the attraction of a cohesive contact add up to
+    Spin<D> moment = Spin<D>::Zero();   ///< of rolling, on the second, besides the force's [N m]
 };
 
 /// A pair that touched in a sub-step: what passes between the two meanwhile asks for it.

@@ -165,6 +165,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImp
             {
                 add(leveredOrigin_[k].pair, c.normal(), leveredOrigin_[k].gap,
                     c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
+                result.back().moment = toSpin(c.moment) / dt_;
             }
         }
         for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)

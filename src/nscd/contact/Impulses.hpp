@@ -29,6 +29,7 @@ struct PairImpulse
     Vector<D> impulse;   ///< [N s]
     double pressing;     ///< sum of the normal impulses [N s]
     int impacts;
+    Tangent<D> moment;   ///< of rolling [N m s]
 };
 
 /// An impulse that outlives the candidate list: named by user's numbers of members, a < b, or by a member and wall ~b,

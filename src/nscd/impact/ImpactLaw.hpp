@@ -46,7 +46,41 @@ Vector<D> impactImpulse(const Block<D>& W, const Vector<D>& u, double mu, double
     return plastic + std::min(1.0, theta) * step;
 }
 
-/// The same for a contact with its normal through both centres: W is diagonal (doc/theory, eq. 5.13).
+/// Resistance to rolling in an impact whose normal impulse has been given, and stays: the moment and friction in turn
+/// come to where they end rolling and slip, within their bounds (doc/theory, eq. 5.24).  The relative velocity is that
+/// of the bodies and 'more' [m/s].  No pass gives energy to the bodies, so that none need be the last.
+template <int D>
+void resistRolling(LeveredContact<D>& c, Body<D>& a, Body<D>& b, const Vector<D>& more)
+{
+    constexpr int mostPasses = 100;
+    constexpr double accuracy = 1e-10;   // of the change of the normal velocity
+    const auto largest = [](const auto& matrix) { return matrix.cwiseAbs().rowwise().sum().maxCoeff(); };
+    c.rollingW = largest(c.turningI.inverse / (c.turningI.length * c.turningI.length) +
+                         c.turningJ.inverse / (c.turningJ.length * c.turningJ.length));
+    const double slipW = largest(c.w.template bottomRightCorner<D - 1, D - 1>());
+    const double bound = c.friction * c.impulse[0];
+    const double small = accuracy * c.w(0, 0) * c.impulse[0];
+    double change = small * small;
+    for (int pass = 0; pass < mostPasses && change >= small * small; ++pass)
+    {
+        change = solveRolling(c, a, b);
+        const Vector<D> slip = c.frame.transpose() * Vector<D>(relativeVelocity(c, a, b) + more);
+        Vector<D> impulse = c.impulse;
+        impulse.template tail<D - 1>() -= slip.template tail<D - 1>() / slipW;
+        const double length = impulse.template tail<D - 1>().norm();
+        if (length > bound)
+        {
+            impulse.template tail<D - 1>() *= bound / length;
+        }
+        const Vector<D> step = impulse - c.impulse;
+        apply<D>(c, a, b, c.frame * step, zeroTangent<D>());
+        c.impulse = impulse;
+        change = std::max(change, slipW * slipW * step.squaredNorm());
+    }
+}
+
+/// The impulse of impactImpulse() for a contact with its normal through both centres: W is diagonal (doc/theory,
+/// eq. 5.13).
 template <int D>
 Contact<D> centralImpact(const Vector<D>& normal, const Vector<D>& relative, const Body<D>& a, const Body<D>& b,
                          double mu, double e)

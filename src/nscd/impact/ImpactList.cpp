@@ -85,7 +85,9 @@ void Impacts<D>::list(const Group& group, std::vector<Flyer<D>>& flyers, const s
             const WallBody<D>& wall = wallBodies_[wallBody];
             const Vector<D> arm = arrangement_.contactPoint(pair, *approach) - wall.position;
             Flyer<D> point;
-            point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), zeroTangent<D>(), 0, 0};
+            // The velocity is that at the contact: only resistance to rolling asks for the spin besides
+            const Tangent<D> spin = law.rolling > 0 ? toTangent(wall.spin) : zeroTangent<D>();
+            point.body = {wall.velocity + spinVelocity(toTangent(wall.spin), arm), spin, 0, 0};
             closest = dt_ * (fastest_ + (usual_ - point.body.velocity).norm());
             item.j = static_cast<int>(flyers.size());
             flyers.push_back(point);
@@ -174,8 +176,8 @@ void Impacts<D>::collectImpulses()
     {
         if (details.impacts > 0)
         {
-            given_.push_back(
-                {details.pair, details.normal, details.gap, details.given, details.pressed, details.impacts});
+            given_.push_back({details.pair, details.normal, details.gap, details.given, details.pressed,
+                              details.impacts, details.rolled});
         }
     }
 }

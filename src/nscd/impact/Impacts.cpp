@@ -148,7 +148,9 @@ void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& e
     Details& details = details_[k];
     Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
     const Body<D> beforeA = a.body, beforeB = b.body;
-    energy += details.lever >= 0 ? collideLevered(item, details, a, b) : collidePlain(item, details, a, b);
+    energy += details.law->rolling > 0 ? collideRolling(item, details, a, b)
+              : details.lever >= 0     ? collideLevered(item, details, a, b)
+                                       : collidePlain(item, details, a, b);
     divert(item.i, flyers, beforeA, details.met, item.time);
     divert(item.j, flyers, beforeB, details.met, item.time);
     ++details.impacts;
@@ -161,16 +163,23 @@ void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& e
 }
 
 template <int D>
+Vector<D> Impacts<D>::normalOf(const Item& item, const Details& details, const Flyer<D>& a, const Flyer<D>& b) const
+{
+    if (item.touching <= 0)
+    {
+        return details.normal;
+    }
+    const Vector<D> separation = item.separation + (b.offset - a.offset) +
+                                 details.met * (b.body.velocity - a.body.velocity);
+    const double distance = separation.norm();
+    return distance > 0 ? Vector<D>(separation / distance) : details.normal;
+}
+
+template <int D>
 double Impacts<D>::collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
 {
-    Vector<D> normal = details.normal;
+    const Vector<D> normal = normalOf(item, details, a, b);
     const Vector<D> before = b.body.velocity - a.body.velocity;
-    if (item.touching > 0)
-    {
-        const Vector<D> separation = item.separation + (b.offset - a.offset) + details.met * before;
-        const double distance = separation.norm();
-        normal = distance > 0 ? Vector<D>(separation / distance) : normal;
-    }
     const Vector<D> more = gainedBy(item, details.met);
     const Vector<D> relative = before + more;
     const double e = restitution(details, -relative.dot(normal));
@@ -202,6 +211,50 @@ double Impacts<D>::collideLevered(const Item& item, Details& details, Flyer<D>& 
 }
 
 template <int D>
+LeveredContact<D> Impacts<D>::roundContact(const Item& item, const Details& details, const Flyer<D>& a,
+                                           const Flyer<D>& b) const
+{
+    LeveredContact<D> c{};
+    c.i = item.i;
+    c.j = item.j;
+    const Vector<D> normal = normalOf(item, details, a, b);
+    c.frame = contactFrame(normal);
+    c.turningI = data_.turning[c.i];
+    c.armI = normal;   // over the radius
+    c.armJ.setZero();
+    if (item.touching > 0)
+    {
+        c.turningJ = data_.turning[c.j];
+        c.armJ = -normal;
+    }
+    assemble(c, normalW(a.body, b.body));
+    return c;
+}
+
+template <int D>
+double Impacts<D>::collideRolling(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
+{
+    LeveredContact<D> c = details.lever >= 0 ? levers_[details.lever] : roundContact(item, details, a, b);
+    c.friction = details.law->friction;
+    c.rollingLength = details.law->rolling * arrangement_.effectiveRadius(candidates_.pairs()[details.pair]);
+    c.moment = zeroTangent<D>();
+    const Vector<D> more = gainedBy(item, details.met);
+    const Vector<D> relative = relativeVelocity(c, a.body, b.body) + more;
+    const Tangent<D> rate = rollingRate(c, a.body, b.body);
+    const Vector<D> velocity = c.frame.transpose() * relative;
+    c.impulse = impactImpulse<D>(c.w, velocity, c.friction, restitution(details, -velocity[0]));
+    apply<D>(c, a.body, b.body, c.frame * c.impulse, zeroTangent<D>());
+    resistRolling<D>(c, a.body, b.body, more);
+    const Vector<D> impulse = c.frame * c.impulse;
+    details.given += impulse;
+    details.pressed += c.impulse[0];
+    details.rolled += c.moment;
+    const Vector<D> after = relativeVelocity(c, a.body, b.body) + more;
+    const Tangent<D> rates = rate + rollingRate(c, a.body, b.body);
+    return 0.5 * (impulse.dot(relative + after) + product(c.moment, rates)) - workOnDriven(b, impulse, c.moment);
+}
+
+template <int D>
 double Impacts<D>::restitution(const Details& details, double approach) const
 {
     const double dry = details.law->restitution;
@@ -219,9 +272,9 @@ Vector<D> Impacts<D>::gainedBy(const Item& item, double time) const
 }
 
 template <int D>
-double Impacts<D>::workOnDriven(const Flyer<D>& b, const Vector<D>& impulse)
+double Impacts<D>::workOnDriven(const Flyer<D>& b, const Vector<D>& impulse, const Tangent<D>& moment)
 {
-    return b.body.inverseMass > 0 ? 0 : impulse.dot(b.body.velocity);
+    return b.body.inverseMass > 0 ? 0 : impulse.dot(b.body.velocity) + product(moment, b.body.surfaceSpeed);
 }
 
 template <int D>

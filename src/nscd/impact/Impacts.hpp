@@ -101,6 +101,7 @@ private:
         double met = 0;        ///< when the lines of flight cross: before the impact if it comes late [s]
         Vector<D> given = Vector<D>::Zero();
         double pressed = 0;
+        Tangent<D> rolled = zeroTangent<D>();
         double viscous = 0;    ///< approach of Stokes number 1; 0 for no fluid [m/s]
     };
 
@@ -140,6 +141,14 @@ private:
     /// Return the kinetic energy that the bodies gain [J].
     double collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
     double collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
+    double collideRolling(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
+
+    /// Where the two meet; from the first to the second.
+    Vector<D> normalOf(const Item& item, const Details& details, const Flyer<D>& a, const Flyer<D>& b) const;
+
+    /// The contact of two discs or spheres, or one and a wall, where they meet.
+    LeveredContact<D> roundContact(const Item& item, const Details& details, const Flyer<D>& a,
+                                   const Flyer<D>& b) const;
 
     /// Speed at which two bodies meet with a Stokes number of 1 [m/s].
     double viscousSpeed(const Item& item, const Pair& pair, const std::vector<Flyer<D>>& flyers) const;
@@ -151,8 +160,9 @@ private:
     /// middle of the sub-step (doc/theory, eq. 5.14) [m/s].
     Vector<D> gainedBy(const Item& item, double time) const;
 
-    /// What an impulse does to a body that is driven, which does not count [J].
-    static double workOnDriven(const Flyer<D>& b, const Vector<D>& impulse);
+    /// What an impulse and a moment do to a body that is driven, which does not count [J].
+    static double workOnDriven(const Flyer<D>& b, const Vector<D>& impulse,
+                               const Tangent<D>& moment = zeroTangent<D>());
 
     /// Let a body go on with its new velocity from where it had the impact.
     void divert(int body, std::vector<Flyer<D>>& flyers, const Body<D>& before, double met, double time) const;

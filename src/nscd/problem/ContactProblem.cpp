@@ -173,10 +173,12 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImp
             if (placeOf[impact->pair] < 0)
             {
                 add(impact->pair, impact->normal, impact->gap, impact->impulse, impact->pressing);
+                result.back().moment = toSpin(impact->moment) / dt_;
                 continue;
             }
             ContactForce<D>& force = result[placeOf[impact->pair]];
             force.force += impact->impulse / dt_;
+            force.moment += toSpin(impact->moment) / dt_;
             force.pressing += impact->pressing / dt_;
         }
     }

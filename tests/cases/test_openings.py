@@ -16,6 +16,7 @@ from grain_box import (
     tracks,
 )
 from sphere_box import decompose
+from water_box import level, liquid_ledger, set_water, to_two_fluids, water_box
 
 GRAINS = "constant/grainProperties"
 SPEED = 0.1
@@ -153,3 +154,65 @@ def test_outlet_after_a_restart_and_on_two_ranks(clone):
     ranks.parallel("grainFoam", 2)
     np.testing.assert_array_equal(book["removed"], ledger(ranks)["removed"])
     assert ranks.grains()["position"] == pytest.approx(whole.grains()["position"], abs=1e-7)
+
+
+def drained(clone, side, cells):
+    """A pool with two resolved grains that leaves through a side, air coming in at the top."""
+    grains = [(0.03, 0.03), (0.07, 0.035)]
+    case = water_box(clone, level(0.06), grains, 0.015, (cells, cells))
+    for patch in (side, "top"):
+        begin = f"{patch}\n    {{\n        type    "
+        replace(case, "system/blockMeshDict", f"{begin}wall", f"{begin}patch")
+    case.run("blockMesh")
+
+    walls = '"left|right|bottom|top"'
+    others = [patch for patch in ("left", "right", "bottom") if patch != side]
+    open_ends = {
+        "0/U": "{ type pressureInletOutletVelocity; value uniform (0 0 0); }",
+        "0/p_rgh": "{ type fixedValue; value uniform 0; }",
+        "0/alpha.water": "{ type inletOutlet; inletValue uniform 0; value uniform 0; }",
+    }
+    for field, condition in open_ends.items():
+        ends = f'"{side}|top" {condition}\n    "{"|".join(others)}"'
+        replace(case, field, walls, ends)
+    replace(case, GRAINS, "(left right bottom top)", f"({' '.join(others)})")
+    replace(case, GRAINS, "density 2500", "density 1000")
+    append(case, f"outlets {{ out {{ type patches; patches ({side} top); }} }}")
+    return case
+
+
+@pytest.mark.parametrize("side, cells", [("right", 20), ("right", 40), ("bottom", 20)])
+def test_liquid_is_kept_where_resolved_grains_leave(clone, side, cells):
+    """All that is lost has passed the patches; 3e-13 of the most there was is left."""
+    case = drained(clone, side, cells)
+    control(case, deltaT=5e-4, endTime=0.15, writeInterval=300)
+    case.run("grainInterFoam")
+    assert ledger(case)["removed"].sum() >= 1
+    book = liquid_ledger(case)
+    assert book["liquid"][-1] <= 0.6 * book["liquid"].max()
+    # Round-off of 300 steps, and the tolerance of the flux that carries, 1e-12 of a cell
+    assert np.abs(book["unaccounted"]).max() <= 1e-10
+    assert book["leastAlpha"].min() >= -1e-8
+    assert book["mostAlpha"].max() <= 1 + 1e-8
+
+
+@pytest.mark.parametrize("cells", [20, 40])
+def test_liquid_is_kept_where_resolved_grains_come_in_and_leave(clone, cells):
+    """Two fluids side by side move with the grains from one end to the other."""
+    case = channel(clone, [], 0.015, OUTLETS["patches"])
+    replace(case, "system/blockMeshDict", "(10 10 1)", f"({cells} {cells} 1)")
+    case.run("blockMesh")
+    to_two_fluids(case)
+    set_water(case, lambda low, high: np.clip((0.0531 - low[:, 0]) * cells / 0.1, 0, 1))
+    append(
+        case,
+        f"injections {{ feed {{ type patches; patches (bottom); velocity (0 {SPEED} 0);"
+        " numberRate 4; material glass; distribution { type constant; radius 0.015; } } }",
+    )
+    control(case, deltaT=1e-2, endTime=2, writeInterval=200)
+    case.run("grainInterFoam")
+    book = ledger(case)
+    assert book["injected"].sum() >= 4
+    assert book["removed"].sum() >= 2
+    assert np.abs(liquid_ledger(case)["unaccounted"]).max() <= 1e-10
+    np.testing.assert_allclose(case.field("U")[:, 1], SPEED, rtol=1e-9)

@@ -16,14 +16,16 @@ Foam::liquidLedger::liquidLedger
     limits_(limits),
     time_(runTime),
     progress_(runTime),
+    largest_(VSMALL),
     unaccounted_(0)
 {}
 
 
 void Foam::liquidLedger::endStep(const surfaceScalarField& phiU)
 {
+    largest_ = max(largest_, phase_.liquid());
     unaccounted_ += phase_.unaccounted();
-    const scalar relative = unaccounted_/max(phase_.liquid(), VSMALL);
+    const scalar relative = unaccounted_/largest_;
     const scalar deltaT = time_.deltaTValue();
     const scalar surfaceCo = limits_.courantNumber(phiU)*deltaT;
     const scalar capillaryCo = deltaT/limits_.capillaryLimit();

@@ -101,7 +101,16 @@ void Foam::continuedFraction::findCovered
     const volScalarField& locked
 )
 {
-    const volScalarField open(pos(eps - covers)*pos(0.5 - locked));
+    volScalarField open
+    (
+        IOobject("open", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimless,
+        zeroGradientFvPatchScalarField::typeName
+    );
+    open.primitiveFieldRef() =
+        pos(eps.primitiveField() - covers)*pos(0.5 - locked.primitiveField());
+    open.correctBoundaryConditions();
     DynamicList<label> covered;
     forAll(open, celli)
     {

@@ -8,11 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from droplet_box import BOILING, GAS, make_gas, with_droplets
+from droplet_box import BOILING, GAS, droplet_table, make_gas, with_droplets
 from dry_box import dry_box, write_grains
-from grain_box import control, grain_box, replace
-from heat_box import with_heat
+from grain_box import control, grain_box, replace, tracks
+from heat_box import fix_grains, stream, with_heat
 from sphere_box import sphere_box
+from test_cutCells import choose, with_cells
+from test_dropletsLeave import SPEED
+from test_dropletsLeave import channel as droplet_channel
+from test_injections import channel
 from test_vapour import with_vapour
 from water_box import level, water_box
 
@@ -298,3 +302,51 @@ def test_nothing_is_said_of_vapour_that_is_there(clone):
     control(case, deltaT=1e-3, endTime=0.003)
     case.run("grainThermalFoam")
     assert "asks for the vapour" not in case.log
+
+
+FILLED = "fill cells at patch %s, which gives the velocity"
+
+
+@pytest.mark.parametrize("kind", ["locked", "cutCells"])
+def test_fixed_grain_at_an_inlet_is_said(clone, kind):
+    """A disc of 8 cells, a fifth of a cell into the inlet: 93 or 8100 N; 1.6 cells off 0.01 N."""
+    forces = []
+    for x in (0.0095, 0.014, 0.0905):
+        case = grain_box(clone, [(x, 0.05)], 0.01, name=f"{kind}{x}")
+        with_cells(case, 40)
+        stream(case, SPEED)
+        fix_grains(case)
+        choose(case, kind)
+        replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+        control(case, deltaT=4e-3, endTime=0.4)
+        case.run("grainFoam")
+        forces.append(tracks(case)[-1, 11])
+        assert case.log.count(FILLED % "left") == (x == 0.0095)
+        assert case.log.count("the force on them is not that of a flow") == (x == 0.0095)
+        assert FILLED % "right" not in case.log
+    assert forces[0] > 1000 * max(forces[1:])
+
+
+def test_grains_that_come_in_with_a_velocity_of_their_own_are_said_to_lose_it(clone):
+    """Of 5 cells, 7.8 times as dense as the fluid, a fifth of its speed: they take its speed."""
+    feed = "type patches; patches (bottom); velocity (0 %g 0); numberRate 4; total 1;"
+    size = "distribution { type constant; radius 0.006; }"
+    case = channel(clone, f"{feed % (0.2 * SPEED)} {size}")
+    with_cells(case, 40)
+    replace(case, GRAINS, "density 2500", "density 7800")
+    control(case, deltaT=2e-3, endTime=0.4)
+    case.run("grainFoam")
+    assert case.log.count(FILLED % "bottom") == 1
+    assert case.log.count("their own velocity, such as that of the entry 'velocity', is lost") == 1
+    assert FILLED % "top" not in case.log
+    np.testing.assert_allclose(tracks(case)[-1, 6], SPEED, rtol=1e-3)
+
+
+def test_droplet_at_an_inlet_is_said_to_move_with_its_gas(clone):
+    case = droplet_channel(clone, [(0.048, 0.021)], 0.02, speed=0, fluid=GAS)
+    make_gas(case)
+    control(case, deltaT=2e-3, endTime=0.02)
+    case.run("grainDropletFoam")
+    assert case.log.count(f"Droplets or grains {FILLED % 'bottom'}") == 1
+    # At rest before, and 1000 times as dense: 0.89 of the gas's speed after ten steps
+    assert droplet_table(case)["vy"][-1] > 0.8 * SPEED

@@ -68,6 +68,11 @@ Foam::grainFluidExchange::grainFluidExchange
     unresolved_(grains, aroundGrains, fields_.gradientOnGrains),
     resolved_(std::move(resolved)),
     openings_(grains, fluid),
+    givenVelocities_
+    (
+        &fluid == &aroundGrains ? "Grains" : "Droplets or grains",
+        grains.motion().isFixed()
+    ),
     given_(Zero),
     received_(Zero),
     hasStep_
@@ -229,6 +234,7 @@ void Foam::grainFluidExchange::predict(const volVectorField& U)
     }
     hasStep_ = true;
     tellTreatment();
+    givenVelocities_.look(U, fields_.fluidShare);
     resolved_->addInertia(fields_);
     fields_.smooth(grains_.voidFraction());
     fields_.correctBoundaryConditions();

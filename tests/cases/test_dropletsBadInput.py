@@ -78,7 +78,7 @@ BAD = {
     "over a wall": (table(HEAD + "0.01,0.055,0.005,0.02\n"), "only in part in the mesh"),
     "one in another": (
         table(HEAD + "0.05,0.05,0.005,0.021\n0.06,0.05,0.005,0.021\n"),
-        "overlaps grain 1",
+        "overlaps droplet 1",
     ),
     "radius": (table(HEAD + "0.05,0.05,0.005,nan\n"), "'radius'"),
     "across the mesh": (
@@ -132,6 +132,20 @@ def test_bad_input_is_named(clone, change, said):
     assert "FATAL" in case.log
     assert "Time = " not in case.log
     assert "printStack" not in case.log
+
+
+def test_droplets_that_overlap_are_called_so(clone):
+    """With the file that they are in, its lines, and no entry that is not theirs."""
+    case = with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    with_droplets(case, [(0.05, 0.05), (0.06, 0.05)], 0.021)
+    assert case.run("grainDropletFoam", check=False) == 1
+    error = case.log[case.log.index("-->") :]
+    assert "droplet 0 at (0.05 0.05 0.005) with radius 0.021 overlaps droplet 1" in error
+    assert "allowed: up to 0.01 of the smaller diameter" in error
+    assert f"{case.path}/{DROPLETS}.initialDroplets" in error
+    assert "line 0" not in error
+    assert "rain" not in error.split("file:")[0].replace("grainDropletFoam", "")
 
 
 def test_a_missing_state_is_named(clone):

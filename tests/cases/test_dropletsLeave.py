@@ -76,3 +76,13 @@ def test_those_that_evaporate_leave_with_the_rest(clone):
     ranks.parallel("grainDropletFoam", 2)
     other = ranks.table("postProcessing/discharge.droplets/0/discharge.dat")
     np.testing.assert_allclose(other["totalMass"], left["totalMass"], rtol=1e-8)
+
+
+def test_one_that_leaves_where_there_is_no_outlet_is_called_a_droplet(clone):
+    case = channel(clone, [(0.048, 0.07)], 0.022)
+    replace(case, "constant/dropletProperties", OUTLET, "")
+    control(case, endTime=0.8, deltaT=1e-2, writeInterval=80)
+    assert case.run("grainDropletFoam", check=False) == 1
+    assert "Droplet 0 at " in case.log
+    assert "has left the mesh at time " in case.log
+    assert "Grain 0" not in case.log

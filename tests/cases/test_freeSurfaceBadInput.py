@@ -9,6 +9,7 @@ from water_box import level, water_box
 
 TRANSPORT = "constant/transportProperties"
 SOLUTION = "system/fvSolution"
+SCHEMES = "system/fvSchemes"
 GRAINS = "constant/grainProperties"
 
 
@@ -115,6 +116,18 @@ INPUTS = {
     "negative compression": (
         swap(SOLUTION, "cAlpha 1", "cAlpha -1"),
         [SOLUTION, "'cAlpha'", "value -1"],
+    ),
+    "no iterations of the limiter": (
+        swap(SOLUTION, "nLimiterIter 5;", ""),
+        [SOLUTION, "'nLimiterIter'", "missing", "a whole number"],
+    ),
+    "no scheme for the stress": (
+        swap(SCHEMES, "    div(tau)        Gauss linear;\n", ""),
+        [SCHEMES, "'div(tau)'", "missing", "a scheme", "'default'"],
+    ),
+    "no scheme for convection": (
+        swap(SCHEMES, "div(rhoPhi,U)   Gauss linearUpwind grad(U);", ""),
+        [SCHEMES, "'div(rhoPhi,U)'", "missing", "a scheme", "'default'"],
     ),
     "outer corrections": (
         swap(SOLUTION, "PIMPLE\n{", "PIMPLE\n{\n nOuterCorrectors 2;"),

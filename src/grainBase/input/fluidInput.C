@@ -107,6 +107,24 @@ void Foam::refuseRelaxation(const dictionary& fvSolution)
 }
 
 
+void Foam::requireDivScheme(const fvMesh& mesh, const word& scheme)
+{
+    const dictionary& dict =
+        dictionaryInput::subDict(mesh.schemesDict(), "divSchemes");
+    const bool hasDefault =
+        dict.found("default", keyType::LITERAL)
+     && dictionaryInput::written(dict, "default") != "none";
+    if (!hasDefault && !dict.found(scheme, keyType::REGEX))
+    {
+        dictionaryInput::missing
+        (
+            dict, scheme,
+            "a scheme, as in etc/caseDicts, or a 'default' other than none"
+        );
+    }
+}
+
+
 void Foam::refuseBounded(const fvMesh& mesh, const word& scheme)
 {
     const dictionary& dict =

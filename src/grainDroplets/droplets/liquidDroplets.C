@@ -44,7 +44,7 @@ Foam::liquidDroplets::liquidDroplets
         )
     ),
     motionDict_(motionDict(mesh)),
-    system_(mesh, g, {"droplets", "initialDroplets", &motionDict_, true}),
+    system_(mesh, g, set()),
     releases_
     (
         dict_, system_,
@@ -154,6 +154,19 @@ void Foam::liquidDroplets::checkNew(const label first, const word& keyword)
 }
 
 
+Foam::grainSet Foam::liquidDroplets::set() const
+{
+    grainSet result;
+    result.name = "droplets";
+    result.one = "Droplet";
+    result.initial = "initialDroplets";
+    result.properties = &motionDict_;
+    result.changesMasses = true;
+    result.hasAllowedOverlap = false;
+    return result;
+}
+
+
 Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
 {
     dictionaryInput::checkKeywords
@@ -166,7 +179,7 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
     );
 
     // As constant/grainProperties has it
-    dictionary result(dict_.name());
+    dictionary result(dict_.dictionary::name());
     result.add("shape", word(isPlanar(mesh) ? "disc" : "sphere"));
 
     dictionary material, materials;

@@ -9,6 +9,7 @@
 
 #include "boundedCorrection.H"
 #include "CMULES.H"
+#include "fluidInput.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "gaussConvectionScheme.H"
@@ -36,8 +37,10 @@ Foam::phaseFraction::phaseFraction
     range_(0, 0)
 {
     checkControls(fluid.alpha());
-    eps.mesh().divScheme("div(phi,alpha)");
-    eps.mesh().divScheme("div(phirb,alpha)");
+    for (const word scheme : {"div(rhoPhi,U)", "div(phi,alpha)", "div(phirb,alpha)"})
+    {
+        requireDivScheme(eps.mesh(), scheme);
+    }
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps, locked);
     fluid.correct();

@@ -62,5 +62,6 @@ void Foam::phaseFraction::checkControls(const volScalarField& alpha)
         dictionaryInput::getScalarOrDefault(dict, keyword, dimless, 0, 0, 0);
     }
     dictionaryInput::getScalar(dict, "cAlpha", dimless, 0);
-    readControl(alpha, "nLimiterIter", 3);
+    // Without a default in MULES::limitCorr
+    dictionaryInput::getLabel(dict, "nLimiterIter", 1);
 }

@@ -24,7 +24,13 @@ Foam::grainChecks<D>::grainChecks
     const nscd::Grains<D>& grains
 )
 :
-    grainChecks(properties, grains, properties.dict(), properties.initialName())
+    grainChecks
+    (
+        properties,
+        grains,
+        dictionaryInput::subDict(properties.dict(), properties.initialName()),
+        properties.initialName()
+    )
 {}
 
 
@@ -58,7 +64,7 @@ template<int D>
 Foam::string Foam::grainChecks<D>::describe(const label i) const
 {
     OStringStream os;
-    os  << "grain " << label(grains_.id[i]) << " at "
+    os  << properties_.one() << ' ' << label(grains_.id[i]) << " at "
         << properties_.space().positionInSpace(grains_.position[i])
         << " with radius " << grains_.radius[i];
     return os.str();
@@ -245,7 +251,7 @@ void Foam::grainChecks<D>::requireRest() const
         if (grains_.velocity[i].norm() > 0 || grains_.spin[i].norm() > 0)
         {
             OStringStream allowed;
-            allowed << "free, or grains at rest: grain " << label(i)
+            allowed << "free, or all at rest: " << properties_.one() << ' ' << label(i)
                 << " has a velocity of " << grains_.velocity[i].norm() << " m/s";
             dictionaryInput::badValue
             (
@@ -291,8 +297,8 @@ void Foam::grainChecks<D>::requireNoOverlap() const
         refuse
         (
             what.str(),
-            "up to 'allowedOverlap' = " + Foam::name(fraction)
-          + " of the smaller diameter"
+            (properties_.hasAllowedOverlap() ? "up to 'allowedOverlap' = " : "up to ")
+          + Foam::name(fraction) + " of the smaller diameter"
         );
     }
 }

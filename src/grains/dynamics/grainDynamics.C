@@ -293,7 +293,7 @@ void Foam::grainDynamics<D>::checkInside() const
     {
         save(".failed");
         FatalErrorInFunction
-            << "Grain " << id(i) << " at " << centre(i) << " with velocity "
+            << one() << ' ' << id(i) << " at " << centre(i) << " with velocity "
             << velocity(i) << " has left the mesh at time "
             << mesh().time().timeName() << nl
             << "    there is a gap in the walls, or the time step is too large"

@@ -44,7 +44,7 @@ Foam::grainProperties<D>::grainProperties
         ),
         set.properties ? *set.properties : dictionary::null
     ),
-    initialName_(set.initial),
+    set_(set),
     g_(g),
     materials_(dict_),
     shapes_(dict_, space_),
@@ -76,7 +76,7 @@ void Foam::grainProperties<D>::check() const
         dict_,
         {
             "FoamFile", "shape", "materials", "contactLaws", "walls",
-            initialName_, "allowedOverlap", "contact", "coupling",
+            set_.initial, "allowedOverlap", "contact", "coupling",
             "outlets", "injections", "shapes", "heat"
         }
     );
@@ -262,7 +262,7 @@ nscd::Grains<D> Foam::grainProperties<D>::grains(const dictionary& source) const
 template<int D>
 nscd::Grains<D> Foam::grainProperties<D>::initialGrains() const
 {
-    return grains(dictionaryInput::subDict(dict_, initialName_));
+    return grains(dictionaryInput::subDict(dict_, set_.initial));
 }
 
 

@@ -301,7 +301,7 @@ void Foam::grainSystem::checkLost() const
         if (mappedVolume_[i] <= 0)
         {
             FatalErrorInFunction
-                << "Grain " << motion_->id(i) << " at "
+                << motion_->one() << ' ' << motion_->id(i) << " at "
                 << centres()[i] << " with velocity " << motion_->velocity(i)
                 << " has left the mesh at time " << mesh().time().timeName()
                 << nl << "    there is a gap in the walls, no outlet where it"

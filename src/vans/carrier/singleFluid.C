@@ -75,6 +75,7 @@ Foam::singleFluid::singleFluid
         );
     }
     checkTransportProperties(properties_, moreEntries);
+    requireDivScheme(U.mesh(), "div(phiEps,U)");
     if (properties_.found("transportModel"))
     {
         model_.reset(new singlePhaseTransportModel(U, phiU));

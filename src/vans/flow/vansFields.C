@@ -62,7 +62,7 @@ Foam::vansFields::vansFields(const fvMesh& mesh)
     checkMagnitude(U, cmptMax(cmptMag(U.primitiveField())));
     checkMagnitude(p_rgh, mag(p_rgh.primitiveField()));
     mesh.solverDict(p_rgh.name());
-    mesh.divScheme("div(tau)");
+    requireDivScheme(mesh, "div(tau)");
     refuseBounded(mesh, "div(phiEps,U)");
     refuseBounded(mesh, "div(rhoPhi,U)");
     reportMissingFields(mesh, {"phiU", "phi"}, "made from U");

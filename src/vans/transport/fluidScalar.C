@@ -54,7 +54,7 @@ Foam::fluidScalar::fluidScalar
 {
     // Of the flux that transports
     const word scheme("div(phiFluid," + name + ')');
-    mesh.divScheme(scheme);
+    requireDivScheme(mesh, scheme);
     refuseBounded(mesh, scheme);
     mesh.solverDict(name);
 }

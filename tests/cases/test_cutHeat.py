@@ -153,3 +153,20 @@ def test_grains_that_conduct_inside_are_refused(clone):
     for word in ("'type'", "value cutCells", "allowed: locked none, with", "conduct inside"):
         assert word in case.log
     assert "\nTime = " not in case.log
+
+
+@pytest.mark.parametrize("kind", ["locked", "cutCells"])
+def test_a_wall_gives_what_it_is_told_to(clone, kind):
+    """A heat flux through the bottom, which a fixed disc touches nearly; [J] in a step."""
+    n, slope, delta_t, radius, gap = 40, 1000.0, 1e-2, 0.012, 0.0006
+    case = choose(with_cells(grain_box(clone, [(0.05, radius + gap)], radius), n), kind)
+    fix_grains(case)
+    walls = (
+        f"bottom {{ type fixedGradient; gradient uniform {slope}; }}"
+        ' "left|right|top" { type zeroGradient; }'
+    )
+    with_heat(case, 300, 300, walls, ofGlass="heatCapacity 1e6;")
+    control(case, deltaT=delta_t, endTime=5 * delta_t, writeInterval=5)
+    case.run("grainThermalFoam")
+    given = 0.6 * slope * 0.1 * DEPTH * delta_t
+    np.testing.assert_allclose(-heat_ledger(case)["conducted_bottom"], given, rtol=1e-9)

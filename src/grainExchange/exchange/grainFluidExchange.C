@@ -71,7 +71,7 @@ Foam::grainFluidExchange::grainFluidExchange
     givenVelocities_
     (
         &fluid == &aroundGrains ? "Grains" : "Droplets or grains",
-        grains.motion().isFixed()
+        grains.motion().isFixed() && &fluid == &aroundGrains
     ),
     given_(Zero),
     received_(Zero),

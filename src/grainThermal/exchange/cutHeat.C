@@ -72,7 +72,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutHeat::ratio
         const fvPatchScalarField& TPatch = T.boundaryField()[patchi];
         if (!TPatch.coupled())
         {
-            atPatch = 1;
+            atPatch =
+                givesTemperature(TPatch)
+              ? scalarField(atPatch.size(), 1)
+              : scalarField
+                (
+                    cells_.open().boundaryField()[patchi]
+                   /max(cells_.conductance().boundaryField()[patchi], VSMALL)
+                );
             continue;
         }
         const scalarField jump

@@ -73,7 +73,8 @@ void Foam::grainFluidHeat::noteGapsTwice() const
     label resolved = 0;
     for (label i = 0; i < grains_.size(); ++i)
     {
-        resolved += exchange_.resolved().isResolved(i);
+        resolved +=
+            exchange_.resolved().leavesParts() || exchange_.resolved().isResolved(i);
     }
     if (resolved > 1 && heat.found("throughFluid"))
     {

@@ -143,6 +143,7 @@ Foam::scalar Foam::resolvedHeat::conductivity
 
 void Foam::resolvedHeat::setFaces
 (
+    const volScalarField& T,
     const volScalarField& kappa,
     const volScalarField& kappaOfFluid,
     surfaceScalarField& faces
@@ -194,6 +195,7 @@ void Foam::resolvedHeat::setFaces
         const fvPatchScalarField& k = kappa.boundaryField()[patchi];
         const fvPatchScalarField& kFluid = kappaOfFluid.boundaryField()[patchi];
         const bool isWall = !g.coupled();
+        const bool asGiven = isWall && !givesTemperature(T.boundaryField()[patchi]);
         const scalarField whole
         (
             isWall
@@ -218,7 +220,7 @@ void Foam::resolvedHeat::setFaces
                 open(label(own[i]), kOwn[i], kNeighbour[i]),
                 whole[i],
                 label(own[i]), label(neighbour[i]), isWall,
-                byPart.boundaryField()[patchi][i]
+                asGiven ? 1 : byPart.boundaryField()[patchi][i]
             );
         }
     }
@@ -268,7 +270,7 @@ void Foam::resolvedHeat::add
         }
     }
     sumOverRanks(lockedVolume_);
-    setFaces(kappa, kappaOfFluid, cells.conductivity);
+    setFaces(T, kappa, kappaOfFluid, cells.conductivity);
 
     if (!conducts_)
     {

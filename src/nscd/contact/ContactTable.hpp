@@ -37,6 +37,8 @@ struct ContactParameters
 
     /// It attracts only where the ambient value, see Arrangement::ambient, is below.
     double cohesionBelow = std::numeric_limits<double>::infinity();
+
+    bool coheres() const { return cohesion > 0 || tension > 0; }
 };
 
 /// Symmetric table of contact parameters for n materials.
@@ -71,8 +73,7 @@ public:
     /// Whether any pair attracts.
     bool coheres() const
     {
-        return std::any_of(table_.begin(), table_.end(),
-                           [](const ContactParameters& p) { return p.cohesion > 0 || p.tension > 0; });
+        return std::any_of(table_.begin(), table_.end(), [](const ContactParameters& p) { return p.coheres(); });
     }
 
     /// Whether a pair's attraction depends on what surrounds the contact.

@@ -77,16 +77,20 @@ std::vector<char> handOverAges(const Arrangement<D>& arrangement, const std::vec
     for (std::size_t p = 0; !loaded.empty() && p < pairs.size(); ++p)
     {
         const Pair& pair = pairs[p];
-        if (pair.second >= 0)
+        if (pair.second >= 0 || !arrangement.parameters(pair).coheres())
         {
             continue;
         }
         auto facet = std::lower_bound(loaded.begin(), loaded.end(), pair.first,
                                       [](const LoadedFacet<D>& f, int member) { return f.member < member; });
+        if (facet == loaded.end() || facet->member != pair.first)
+        {
+            continue;
+        }
+        const Vector<D> way = arrangement.wayToWall(pair);
+        const double radius = arrangement.radius(pair);
         for (; facet != loaded.end() && facet->member == pair.first; ++facet)
         {
-            const Vector<D> way = arrangement.wayToWall(pair);
-            const double radius = arrangement.radius(pair);
             if (facet->body == arrangement.wallBody(~pair.second) && (way - facet->way).norm() < close * radius)
             {
                 impulses[p].age = std::max(impulses[p].age, facet->age);

@@ -61,7 +61,7 @@ void resistRolling(LeveredContact<D>& c, Body<D>& a, Body<D>& b, const Vector<D>
     const double bound = c.friction * c.impulse[0];
     const double small = accuracy * c.w(0, 0) * c.impulse[0];
     double change = small * small;
-    for (int pass = 0; pass < mostPasses && change >= small * small; ++pass)
+    for (int pass = 0; pass < mostPasses && small > 0 && change >= small * small; ++pass)
     {
         change = solveRolling(c, a, b);
         const Vector<D> slip = c.frame.transpose() * Vector<D>(relativeVelocity(c, a, b) + more);

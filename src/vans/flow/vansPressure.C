@@ -208,10 +208,16 @@ void Foam::vansFlow::addForceOfWalls(surfaceScalarField& gradient) const
           ? patch.Sf() & oldU.patchInternalField()
           : tmp<scalarField>(fields_.phiU.oldTime().boundaryField()[patchi])
         );
+        const auto inCells = [&](const volScalarField& x)
+        {
+            return scalarField(x.boundaryField()[patchi].patchInternalField());
+        };
+        const scalarField inertia(inCells(step_->inertia)/deltaT);
         gradient.boundaryFieldRef()[patchi] -=
-            (
-                step_->inertia.boundaryField()[patchi].patchInternalField()/deltaT
-              + step_->betaf.boundaryField()[patchi]
+            inertia
+           /(
+                inCells(step_->alpha)*inCells(step_->share)
+              + inCells(grains_.K)*(inertia + inCells(grains_.beta))
             )
            *(fields_.phiU.boundaryField()[patchi] - oldFlux);
     }

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from grain_box import assert_same_grains, control, grain_box, replace, run_whole_and_parts
 from heat_box import GRAINS, fix_grains, heat_ledger, stream, with_heat
-from sphere_box import decompose
 from test_cutCells import choose, with_cells
 from test_heatRandom import assert_bounded_and_kept, random_box
-from test_heatRuns import assert_books_close, settling
+from test_heatRuns import assert_books_close, assert_ranks_agree, settling
 from test_resolvedHeat import CENTRE, CP, DEPTH, K, around, given
 from test_thermalRest import EXPANSION, GRADIENT, RHO, write_cells
 
@@ -113,19 +112,8 @@ def test_restart_continues_exactly(clone):
 
 @pytest.mark.parallel
 def test_ranks_agree(clone):
-    one, several = (choose(settling(clone, name, 0.005, 40)) for name in ("one", "several"))
-    for case in (one, several):
-        control(case, endTime=0.02)
-    one.run("grainThermalFoam")
-    decompose(several, 2)
-    several.parallel("grainThermalFoam", 2)
-    several.run("reconstructPar")
-    # Linear solvers leave 1e-12 of what they solve for
-    np.testing.assert_allclose(one.field("T"), several.field("T"), atol=1e-6)
-    np.testing.assert_allclose(
-        one.grains()["temperature"], several.grains()["temperature"], atol=1e-6
-    )
-    assert_books_close(several)
+    cases = (choose(settling(clone, name, 0.005, 40)) for name in ("one", "several"))
+    assert_ranks_agree(*cases, 2)
 
 
 def test_stratified_fluid_stays_at_rest(clone):

@@ -60,9 +60,9 @@ def remove_walls(case):
     file.write_text(f"{text[:start]}walls\n{{}}\n\n{text[end:]}")
 
 
-def cyclic_box(clone, centres, radius):
-    """No walls: what leaves on one side comes in on the other."""
-    case = grain_box(clone, centres, radius)
+def cyclic_box(clone, centres, radius, **options):
+    """No walls: what leaves on one side comes in on the other; options of grain_box."""
+    case = grain_box(clone, centres, radius, **options)
     make_cyclic(case, ("left", "right"), ("bottom", "top"))
     replace(case, "0/U", "noSlip", "cyclic")
     replace(case, "0/p_rgh", "zeroGradient", "cyclic")

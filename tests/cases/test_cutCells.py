@@ -265,7 +265,6 @@ def refused(case, program, *words):
     "old, new, word",
     [
         ("coupling\n{", "coupling\n{\n    form B;", "form B"),
-        ("from 4;", "from 20;", "less than 20 cells in a diameter"),
         ("coupling\n{", "coupling\n{", "nu deltaT/h^2 = 32"),
     ],
 )

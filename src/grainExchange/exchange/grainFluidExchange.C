@@ -211,6 +211,15 @@ void Foam::grainFluidExchange::tellTreatment()
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::grainFluidExchange::epsOfLaws() const
+{
+    return
+        resolved_->leavesParts()
+      ? resolved_->amongSmall(fields_.fluidShare)
+      : tmp<volScalarField>(epsAmongGrains());
+}
+
+
 void Foam::grainFluidExchange::predictOnce(const volVectorField& cellU)
 {
     const tmp<volVectorField> U(seenByGrains(cellU));
@@ -218,7 +227,7 @@ void Foam::grainFluidExchange::predictOnce(const volVectorField& cellU)
     fields_.clear();
     resolved_->update();
     setShares();
-    unresolved_.predict(epsAmongGrains(), U(), *resolved_, fields_);
+    unresolved_.predict(epsOfLaws()(), U(), *resolved_, fields_);
 }
 
 

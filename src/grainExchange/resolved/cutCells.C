@@ -161,24 +161,42 @@ Foam::tmp<Foam::surfaceVectorField> Foam::cutCells::ways() const
 }
 
 
+Foam::scalarField Foam::cutCells::solid() const
+{
+    scalarField result(mesh_.nCells(), Zero);
+    forGrains
+    (
+        [&](const label graini)
+        {
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                result[o.cell] += o.volume;
+            }
+        }
+    );
+    return result;
+}
+
+
 void Foam::cutCells::setCells()
 {
-    const overlapList& overlaps = grains_.overlaps();
     const scalarField& V = mesh_.V();
     const vectorField& C = mesh_.C();
 
-    scalarField solid(mesh_.nCells(), Zero);
+    const scalarField solid(this->solid());
     vectorField moment(mesh_.nCells(), Zero);
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
-    {
-        for (const cellOverlap& o : overlaps.of(graini))
+    forGrains
+    (
+        [&](const label graini)
         {
-            solid[o.cell] += o.volume;
-            moment[o.cell] +=
-                o.volume
-               *(o.arm - between(grains_.centres()[graini], C[o.cell]));
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                moment[o.cell] +=
+                    o.volume
+                   *(o.arm - between(grains_.centres()[graini], C[o.cell]));
+            }
         }
-    }
+    );
     forAll(solid, celli)
     {
         const scalar room = 1 - solid[celli]/V[celli];
@@ -192,8 +210,9 @@ void Foam::cutCells::setCells()
 }
 
 
-void Foam::cutCells::update()
+void Foam::cutCells::update(const boolList& isResolved)
 {
+    isResolved_ = isResolved;
     setCells();
     setFaces();
     setWalls();

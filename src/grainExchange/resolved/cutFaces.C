@@ -162,10 +162,7 @@ void Foam::cutCells::setFaces()
     using resolvedFace::at;
 
     DynamicList<part> parts;
-    for (label graini = 0; graini < grains_.overlaps().nGrains(); ++graini)
-    {
-        addParts(graini, parts);
-    }
+    forGrains([&](const label graini) { addParts(graini, parts); });
 
     surfaceScalarField closed(0*open_);
     for (const part& x : parts)
@@ -228,80 +225,86 @@ void Foam::cutCells::setFaces()
 
 void Foam::cutCells::setWalls()
 {
-    using resolvedFace::at;
-
-    const overlapList& overlaps = grains_.overlaps();
-    const vectorField& C = mesh_.C();
-
     // Of each grain, what it has of the faces
-    List<DynamicList<label>> partsOf(overlaps.nGrains());
+    List<DynamicList<label>> partsOf(grains_.overlaps().nGrains());
     forAll(parts_, i)
     {
         partsOf[parts_[i].grain].append(i);
     }
 
-    scalarField solid(mesh_.nCells(), Zero);
-    for (const cellOverlap& o : overlaps.all())
+    const scalarField solid(this->solid());
+    DynamicList<wall> walls;
+    forGrains
+    (
+        [&](const label graini)
+        {
+            addWalls(graini, partsOf[graini], solid, walls);
+        }
+    );
+    walls_.transfer(walls);
+}
+
+
+void Foam::cutCells::addWalls
+(
+    const label graini,
+    const labelUList& partsOfGrain,
+    const scalarField& solid,
+    DynamicList<wall>& walls
+) const
+{
+    using resolvedFace::at;
+
+    Map<scalar> inside, outside;
+    for (const label i : partsOfGrain)
     {
-        solid[o.cell] += o.volume;
+        const part& x = parts_[i];
+        if (x.patch < 0)
+        {
+            inside.insert(x.face, x.share);
+        }
+        else
+        {
+            outside.insert(mesh_.boundary()[x.patch].start() + x.face, x.share);
+        }
     }
 
-    DynamicList<wall> walls;
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    const scalar R = grains_.members(graini)[0].radius;
+    for (const cellOverlap& o : grains_.overlaps().of(graini))
     {
-        Map<scalar> inside, outside;
-        for (const label i : partsOf[graini])
-        {
-            const part& x = parts_[i];
-            if (x.patch < 0)
-            {
-                inside.insert(x.face, x.share);
-            }
-            else
-            {
-                outside.insert
-                (
-                    mesh_.boundary()[x.patch].start() + x.face, x.share
-                );
-            }
-        }
-        const scalar R = grains_.members(graini)[0].radius;
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            wall x{graini, o.cell, Zero, Zero, 1, o.volume/solid[o.cell]};
-            forFaces
+        wall x{graini, o.cell, o.index, Zero, Zero, 1, o.volume/solid[o.cell]};
+        forFaces
+        (
+            o.cell,
+            [&]
             (
-                o.cell,
-                [&]
-                (
-                    const label facei,
-                    const scalar sign,
-                    const label patchi,
-                    const label i
-                )
+                const label facei,
+                const scalar sign,
+                const label patchi,
+                const label i
+            )
+            {
+                const Map<scalar>& shares = patchi < 0 ? inside : outside;
+                const auto found = shares.cfind(facei);
+                if (found.found())
                 {
-                    const Map<scalar>& shares = patchi < 0 ? inside : outside;
-                    const auto found = shares.cfind(facei);
-                    if (found.found())
-                    {
-                        x.area += sign*(*found)*at(mesh_.Sf(), patchi, i);
-                    }
+                    x.area += sign*(*found)*at(mesh_.Sf(), patchi, i);
                 }
-            );
-            const vector r
-            (
-                between(grains_.centres()[graini], C[o.cell])
-              + centroid_[o.cell]
-            );
-            x.arm = R*r/max(mag(r), VSMALL);
-            x.distance = max
-            (
-                max(mag(r) - R, halfFilm(x)), 1e-3*cellSize_[o.cell]
-            );
-            walls.append(x);
-        }
+            }
+        );
+
+        const vector r
+        (
+            between(grains_.centres()[graini], mesh_.C()[o.cell])
+          + centroid_[o.cell]
+        );
+        x.arm = R*r/max(mag(r), VSMALL);
+        x.distance = max
+        (
+            max(mag(r) - R, halfFilm(x)), 1e-3*cellSize_[o.cell]
+        );
+        walls.append(x);
     }
-    walls_.transfer(walls);
 }
 
 

@@ -91,7 +91,11 @@ Foam::tmp<Foam::volVectorField> Foam::cutGrains::gradientInOpen
 }
 
 
-Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
+Foam::cutCurvature Foam::cutGrains::setLinks
+(
+    const volVectorField& U,
+    const surfaceScalarField& mu
+) const
 {
     // Of a cell that is all of a tube; 2 of a gap between planes
     constexpr scalar most = 3;
@@ -124,7 +128,20 @@ Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
     (
         gradientInOpen(fvc::snGrad(p)*mesh_.magSf())
     );
-    const scalarField& mu = fluid_.mu();
+    // By small grains
+    const scalarField thicker
+    (
+        (
+            fvc::average(mu)
+           /max
+            (
+                fvc::average(fvc::interpolate(fluid_.muStress())),
+                dimensionedScalar("small", dimDynamicViscosity, VSMALL)
+            )
+        )().primitiveField()
+    );
+    const scalarField moving(movingShare()().primitiveField());
+    const scalarField& open = cells_.fluid();
     const scalarField& rho = fluid_.rho();
     cutCurvature result(cells_, mesh_);
     forAll(walls, i)
@@ -135,11 +152,16 @@ Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
         const vector v(motion_[x.grain].at(x.arm));
         const vector slip((U[c] - v) - ((U[c] - v) & n)*n);
         const scalar speed = mag(slip);
-        link_[i] = linkOfLine(i);
+        link_[i] = thicker[c]*linkOfLine(i);
         if (link_[i] == 0 || speed < VSMALL)
         {
             continue;
         }
+        const scalar viscosity = thicker[c]*fluid_.mu()[c];
+        const vector drive
+        (
+            (moving[c]*gradP[c] + small_->beta[c]*v - small_->b[c])/open[c]
+        );
         const scalar share = min(ahead[c].share, scalar(1));
         const scalar squares = sqr(x.distance) + cells_.spreadAlong(x);
 
@@ -158,12 +180,12 @@ Foam::cutCurvature Foam::cutGrains::setLinks(const volVectorField& U) const
                 max(along & slip, scalar(0))/speed, y,
                 n & (cells_.spreadOfWhole(c) & n)
             };
-            const scalar Re = rho[c]*mag(along)*y/mu[c];
+            const scalar Re = rho[c]*mag(along)*y/viscosity;
             largest += share*both.curvature()/(1 + sqr(Re/thin));
         }
         const scalar curvature =
             (mesh_.nGeometricD() - 1)*speed/(mag(x.arm)*x.distance)
-          - (gradP[c] & slip)/(mu[c]*speed);
+          - (drive & slip)/(viscosity*speed);
         const scalar bounded = max(min(curvature, largest), scalar(0));
         link_[i] *= 1 + min(squares*bounded/(2*speed), most);
         result.add(x, -bounded*slip/speed);

@@ -7,8 +7,10 @@
 
 #include "cellSizes.H"
 #include "dictionaryInput.H"
+#include "fvc.H"
 #include "motionInStep.H"
 #include "PstreamReduceOps.H"
+#include "resolvedBySize.H"
 #include "zeroGradientFvPatchFields.H"
 
 Foam::cutGrains::cutGrains
@@ -58,6 +60,13 @@ Foam::cutGrains::cutGrains
         mesh_,
         dimensionedScalar("none", dimless, -1),
         zeroGradientFvPatchScalarField::typeName
+    ),
+    small_(nullptr),
+    amongSmall_
+    (
+        IOobject("amongSmall", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("one", dimless, 1)
     )
 {
     if (mesh_.dynamic())
@@ -76,7 +85,7 @@ Foam::cutGrains::cutGrains
     {
         refuse("the drag of plates");
     }
-    requireResolved();
+    findResolved();
     requireShortSteps();
 }
 
@@ -111,12 +120,22 @@ void Foam::cutGrains::refuse(const string& what) const
 }
 
 
-void Foam::cutGrains::requireResolved() const
+void Foam::cutGrains::findResolved()
 {
-    const overlapList& overlaps = grains_.overlaps();
-    const scalarField h(cellSizes(mesh_));
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    isResolved_ = resolvedBySize(grains_, cellSizes(mesh_), from_);
+    isActive_ = isResolved_.found(true);
+    requireRound();
+}
+
+
+void Foam::cutGrains::requireRound() const
+{
+    forAll(isResolved_, graini)
     {
+        if (!isResolved_[graini])
+        {
+            continue;
+        }
         if (grains_.members(graini).size() > 1)
         {
             refuse("clusters");
@@ -124,20 +143,6 @@ void Foam::cutGrains::requireResolved() const
         if (grains_.isAtOpening(graini))
         {
             refuse("grains that pass an opening");
-        }
-        scalar volume = 0, size = 0;
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            volume += o.volume;
-            size += o.volume*h[o.cell];
-        }
-        if (grains_.fluidDiameter(graini)*volume < (1 - 1e-6)*from_*size)
-        {
-            refuse
-            (
-                "grains that have less than " + Foam::name(from_)
-              + " cells in a diameter"
-            );
         }
     }
 }
@@ -180,13 +185,41 @@ void Foam::cutGrains::requireShortSteps() const
 }
 
 
+void Foam::cutGrains::findHolders()
+{
+    Map<label> index(2*grains_.size());
+    forAll(isResolved_, graini)
+    {
+        if (isResolved_[graini])
+        {
+            index.insert(grains_.motion().id(graini), graini);
+        }
+    }
+    holder_.resize(mesh_.nCells());
+    forAll(holder_, celli)
+    {
+        holder_[celli] = index.lookup(label(lastGrain_[celli]), -1);
+    }
+    lastGrain_ == dimensionedScalar("none", dimless, -1);
+    for (const cutCells::wall& x : cells_.walls())
+    {
+        holder_[x.cell] = x.grain;
+        lastGrain_[x.cell] = grains_.motion().id(x.grain);
+    }
+    lastGrain_.correctBoundaryConditions();
+}
+
+
 void Foam::cutGrains::update()
 {
-    requireResolved();
+    const boolList before(isResolved_);
+    findResolved();
     requireShortSteps();
-    isActive_ = grains_.size() > 0;
-    cells_.update();
-    const bool isFirst = gMin(fluidInTime_.primitiveField()) < 0;
+    cells_.update(isResolved_);
+    // One that is resolved from now on, or no longer, has not come or gone
+    const bool isFirst =
+        gMin(fluidInTime_.primitiveField()) < 0
+     || (before.size() == isResolved_.size() && before != isResolved_);
     fluidInTime_.oldTime();
     fluidInTime_ == cells_.fluid();
     if (isFirst)
@@ -198,17 +231,7 @@ void Foam::cutGrains::update()
     {
         fluidInTime_.oldTime().oldTime();
     }
-    oldGrain_.resize(mesh_.nCells());
-    forAll(oldGrain_, celli)
-    {
-        oldGrain_[celli] = label(lastGrain_[celli]);
-    }
-    lastGrain_ == dimensionedScalar("none", dimless, -1);
-    for (const cutCells::wall& x : cells_.walls())
-    {
-        lastGrain_[x.cell] = x.grain;
-    }
-    lastGrain_.correctBoundaryConditions();
+    findHolders();
 
     outflow_.resize(mesh_.nCells());
     outflow_ = Zero;
@@ -217,6 +240,7 @@ void Foam::cutGrains::update()
     gradient_.clear();
     A_.clear();
     left_.clear();
+    moving_.clear();
     pressure_.resize(mesh_.nCells());
     pressure_ = Zero;
 
@@ -286,8 +310,10 @@ Foam::vector Foam::cutGrains::velocityIn(const label celli) const
 }
 
 
-void Foam::cutGrains::addInertia(exchangeFields& fields) const
+void Foam::cutGrains::addInertia(exchangeFields& fields)
 {
+    small_ = &fields;
+    amongSmall_ = fvc::interpolate(fields.fluidShare)/cells_.fluidOfFaces();
     forAll(cover_, celli)
     {
         if (cover_[celli] >= 0)

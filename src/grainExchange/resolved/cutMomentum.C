@@ -14,6 +14,49 @@
 #include "resolvedGrains.H"
 #include "upwind.H"
 
+Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluxOfVolume
+(
+    const surfaceScalarField& eps,
+    const surfaceScalarField& phiU,
+    const surfaceScalarField& phiOpen
+) const
+{
+    const surfaceScalarField& cut = cells_.cutFaces();
+    const surfaceScalarField isAlone(pos0(amongSmall_ - 1));
+    return
+        (1 - cut)*eps*phiU
+      + cut
+       *(
+            isAlone*phiOpen
+          + (1 - isAlone)*amongSmall_*cells_.open()*phiU
+        );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluxInOpen
+(
+    const surfaceScalarField& phi,
+    const surfaceScalarField& phiU,
+    const surfaceScalarField& gradient
+) const
+{
+    if (!isActive())
+    {
+        return phi;
+    }
+    const surfaceScalarField& cut = cells_.cutFaces();
+    return
+        (1 - cut)*phi
+      + cut
+       *(
+            fvc::interpolate(movingShare())*phiU
+          + fvc::flux(small_->G)
+          - fvc::interpolate(small_->K)*gradient
+        )
+       /cells_.fluidOfFaces();
+}
+
+
 void Foam::cutGrains::addToMomentum
 (
     fvVectorMatrix& UEqn,
@@ -29,12 +72,17 @@ void Foam::cutGrains::addToMomentum
     const surfaceScalarField& cut = cells_.cutFaces();
 
     // Upwind between cells of which one may be small, and as much of the scheme
-    // as the smaller one bears; nothing passes what is closed by now
+    // as the smaller one bears, and its small grains leave; nothing passes what is
+    // closed by now
     const word scheme("div(" + massFlux.name() + ',' + U.name() + ')');
     const surfaceScalarField all(massFlux.name(), cut*massFlux);
     const surfaceScalarField flux(massFlux.name(), pos(cells_.open())*all);
 
-    const surfaceScalarField bearable(min(4*smallerFluid(), scalar(1)));
+    const surfaceScalarField bearable
+    (
+        min(4*smallerFluid(), scalar(1))
+       *min(max(10*amongSmall_ - 3, scalar(0)), scalar(1))
+    );
 
     tmp<surfaceScalarField> tflux(flux);
     const upwind<vector> simple(mesh_, flux);
@@ -45,7 +93,6 @@ void Foam::cutGrains::addToMomentum
             mesh_, flux, mesh_.divScheme(scheme)
         )().interpolate(flux, U)
     );
-    UEqn -= fvm::div(all, U, scheme) - fvm::Sp(fvc::div(all), U);
     UEqn +=
         fv::gaussConvectionScheme<vector>
         (
@@ -55,7 +102,7 @@ void Foam::cutGrains::addToMomentum
       - fvm::Sp(fvc::div(flux), U)
       + fvc::surfaceIntegrate(flux*bearable*(ahead - simple.interpolate(U)));
 
-    const cutCurvature curvature(setLinks(U));
+    const cutCurvature curvature(setLinks(U, mu));
     const cutSlopes<vector> slopes
     (
         cells_, U, [&](const label walli) { return velocityAt(walli); }
@@ -121,7 +168,7 @@ void Foam::cutGrains::startCorrections
     {
         return;
     }
-    A_ = new volScalarField("cutA", A);
+    A_ = new volScalarField("cutA", A + small_->beta);
     resists_ = Zero;
     forAll(link_, i)
     {
@@ -129,11 +176,19 @@ void Foam::cutGrains::startCorrections
     }
     sumOverRanks(resists_);
     setInertia();
-    const surfaceScalarField diagonal(fvc::interpolate(A));
-    left_ = smallerFluid()*fvc::interpolate(inertia)/(cells_.fluidOfFaces()*diagonal);
+    const surfaceScalarField diagonal(fvc::interpolate(A_()));
+    const surfaceScalarField open(cells_.fluidOfFaces());
+    const surfaceScalarField moving(fvc::interpolate(movingShare()));
+    left_ = smallerFluid()*fvc::interpolate(inertia)/(open*diagonal);
+    moving_ = moving/open;
     const surfaceScalarField& cut = cells_.cutFaces();
     mobility =
-        (1 - cut)*mobility + cut*cells_.open()*cells_.fluidOfFaces()/diagonal;
+        (1 - cut)*mobility
+      + cut*cells_.open()
+       *(
+            moving_()*moving/diagonal
+          + fvc::interpolate(small_->K)/open
+        );
 }
 
 
@@ -161,9 +216,26 @@ void Foam::cutGrains::correctFlux
         (1 - cut)*flux
       + cut*cells_.open()
        *(
-            fvc::flux(AU)/fvc::interpolate(A_())
-          + left_()*(oldFaceVelocity - tofCells)
+            moving_()
+           *(
+                fvc::flux(AU + small_->b)/fvc::interpolate(A_())
+              + left_()*(oldFaceVelocity - tofCells)
+            )
+          + fvc::flux(small_->G)/cells_.fluidOfFaces()
         );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cutGrains::movingShare() const
+{
+    tmp<volScalarField> tshare(small_->fluidShare + small_->kappa);
+    volScalarField& share = tshare.ref();
+    forAll(cover_, celli)
+    {
+        share[celli] -= cover_[celli] < 0 ? 0 : 1;
+    }
+    share.correctBoundaryConditions();
+    return tshare;
 }
 
 
@@ -182,7 +254,7 @@ void Foam::cutGrains::setInertia()
         );
         return;
     }
-    inertia_ = resists_/grains_.mappedVolume();
+    inertia_ = resists_/max(grains_.mappedVolume(), VSMALL);
     forAll(inertia_, graini)
     {
         inertia_[graini] += motion.density(graini)/deltaT;
@@ -237,6 +309,7 @@ void Foam::cutGrains::addToFlux(surfaceScalarField& flux) const
 void Foam::cutGrains::correctFaceVelocity
 (
     const surfaceScalarField& fluxOfOpen,
+    const surfaceScalarField& gradient,
     surfaceScalarField& flux
 ) const
 {
@@ -245,7 +318,16 @@ void Foam::cutGrains::correctFaceVelocity
         return;
     }
     const surfaceScalarField& cut = cells_.cutFaces();
-    flux = (1 - cut)*flux + cut*fluxOfOpen/max(cells_.open(), scalar(SMALL));
+    flux =
+        (1 - cut)*flux
+      + cut
+       *(
+            fluxOfOpen/max(cells_.open(), scalar(SMALL))
+          - (
+                fvc::flux(small_->G) - fvc::interpolate(small_->K)*gradient
+            )/cells_.fluidOfFaces()
+        )
+       /max(moving_(), exchangeFields::epsMin);
 
     // Of a face that is closed, the grain's
     using resolvedFace::at;
@@ -263,9 +345,9 @@ void Foam::cutGrains::correctFaceVelocity
 void Foam::cutGrains::correctForce
 (
     const surfaceScalarField& faceForce,
-    const surfaceScalarField&,
+    const surfaceScalarField& flux,
     const volScalarField&,
-    const forceOfGrains&,
+    const forceOfGrains& grains,
     volVectorField& gradient
 )
 {
@@ -273,10 +355,15 @@ void Foam::cutGrains::correctForce
     {
         return;
     }
-    gradient_ = new surfaceScalarField("gradientOfFaces", faceForce);
+    gradient_ = new surfaceScalarField("gradientOfFaces", grains.gradient);
 
-    const volVectorField inOpen(gradientInOpen(faceForce));
-    const volVectorField inAll(reconstructed(faceForce));
+    const volVectorField inOpen
+    (
+        grains.share*gradientInOpen(faceForce)
+      + grains.b
+      - grains.beta*gradientInOpen(flux)
+    );
+    const volVectorField inAll(reconstructed(grains.gradient));
     const scalarField& open = cells_.fluid();
     for (const cutCells::wall& x : cells_.walls())
     {
@@ -324,6 +411,10 @@ void Foam::cutGrains::moveGrains(volVectorField& U)
     const scalar deltaT = mesh_.time().deltaTValue();
     forAll(motion_, graini)
     {
+        if (!isResolved(graini))
+        {
+            continue;
+        }
         const scalar inertia = grains_.motion().mass(graini)/deltaT;
         motion_[graini].velocity =
             (

@@ -21,6 +21,10 @@ void Foam::cutGrains::addForce
     const overlapList& overlaps = grains_.overlaps();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
+        if (!isResolved(graini))
+        {
+            continue;
+        }
         for (const cellOverlap& o : overlaps.of(graini))
         {
             force[graini] += weight_.forceInCell(o.volume, o.cell);
@@ -49,9 +53,9 @@ void Foam::cutGrains::addForceOfCells
     }
     forAll(remainder_, celli)
     {
-        if (!hasWall[celli] && oldGrain_[celli] >= 0)
+        if (!hasWall[celli] && holder_[celli] >= 0)
         {
-            force[oldGrain_[celli]] += remainder_[celli];
+            force[holder_[celli]] += remainder_[celli];
         }
     }
 }
@@ -70,23 +74,34 @@ void Foam::cutGrains::setRemainder(const volVectorField& U)
     const scalarField& V = mesh_.V();
     const scalarField& fluid = cells_.fluid();
     const scalarField& rho = fluid_.rho();
+    const scalarField amongSmall
+    (
+        this->amongSmall(small_->fluidShare)().primitiveField()
+    );
     forAll(remainder_, celli)
     {
-        const label now = label(lastGrain_[celli]);
-        const label graini = now >= 0 ? now : oldGrain_[celli];
-        if (graini >= 0)
+        const label graini = holder_[celli];
+        if (graini < 0)
         {
-            const vector& v = motion_[graini].velocity;
-            remainder_[celli] =
-              - rho[celli]*V[celli]/deltaT
-               *(
-                    weights_.before*(fluid[celli] - fluidBefore[celli])
-                   *(before[celli] - v)
-                  - weights_.earlier*(fluid[celli] - fluidEarlier[celli])
-                   *(earlier[celli] - v)
-                )
-              - outflow_[celli]*(U[celli] - v);
+            continue;
         }
+        const vector& v = motion_[graini].velocity;
+        const scalar perShare =
+            rho[celli]*V[celli]*amongSmall[celli]/deltaT;
+        const scalar change =
+            perShare*weights_.before*(fluid[celli] - fluidBefore[celli]);
+        const scalar earlierChange =
+            perShare*weights_.earlier*(fluid[celli] - fluidEarlier[celli]);
+
+        // What flows out where small grains move has to do with them, too
+        const scalar outflow =
+            amongSmall[celli] < 1
+          ? earlierChange - change
+          : outflow_[celli];
+        remainder_[celli] =
+            earlierChange*(earlier[celli] - v)
+          - change*(before[celli] - v)
+          - outflow*(U[celli] - v);
     }
 }
 
@@ -153,6 +168,10 @@ void Foam::cutGrains::addViscousTorque
     const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)
     {
+        if (!isResolved(graini))
+        {
+            continue;
+        }
         const scalar V = grains_.mappedVolume()[graini];
         const scalar inertia =
             V*grains_.motion().density(graini)

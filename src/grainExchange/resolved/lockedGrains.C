@@ -117,7 +117,7 @@ void Foam::lockedGrains::update()
 }
 
 
-void Foam::lockedGrains::addInertia(exchangeFields& fields) const
+void Foam::lockedGrains::addInertia(exchangeFields& fields)
 {
     if (!isActive())
     {

@@ -7,6 +7,7 @@
 
 #include "cellSizes.H"
 #include "combineOverRanks.H"
+#include "resolvedBySize.H"
 
 Foam::resolvedGrains::resolvedGrains
 (
@@ -65,34 +66,6 @@ Foam::resolvedGrains::resolvedGrains
         dimensionedScalar(dimDynamicViscosity, Zero)
     )
 {}
-
-
-void Foam::resolvedGrains::findResolved()
-{
-    const overlapList& overlaps = grains_.overlaps();
-
-    scalarField size(grains_.size(), Zero);
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
-    {
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            size[graini] += o.volume*cellSize_[o.cell];
-        }
-    }
-    sumOverRanks(size);
-
-    // A grain of just as many cells must not change with the round-off of its overlaps
-    const scalar from = (1 - 1e-6)*from_;
-
-    isResolved_.resize(grains_.size());
-    forAll(isResolved_, graini)
-    {
-        isResolved_[graini] =
-            size[graini] > 0
-         && grains_.fluidDiameter(graini)*grains_.mappedVolume()[graini]
-         >= from*size[graini];
-    }
-}
 
 
 void Foam::resolvedGrains::lockCells()
@@ -201,7 +174,7 @@ void Foam::resolvedGrains::update()
 
     if (isActive_)
     {
-        findResolved();
+        isResolved_ = resolvedBySize(grains_, cellSize_, from_);
         lockCells();
         setDensity();
         setFaces();

@@ -87,6 +87,21 @@ Foam::scalarField Foam::resolvedTerm::entrained
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::resolvedTerm::amongSmall
+(
+    const volScalarField& fluidShare
+) const
+{
+    if (!leavesParts())
+    {
+        return fluidShare + (1 - open());
+    }
+    const volScalarField open("open", this->open());
+    const volScalarField covered("covered", 1 - pos(open));
+    return (fluidShare + covered)/(open + covered);
+}
+
+
 void Foam::resolvedTerm::predict
 (
     fvVectorMatrix& UEqn,

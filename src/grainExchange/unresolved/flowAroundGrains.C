@@ -55,7 +55,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
             sum.mu += o.volume*fluid.mu()[o.cell];
             sum.cellSize += o.volume*cellSize[o.cell];
             sum.section += o.volume*section[o.cell];
-            sum.ownShare += o.volume*o.volume/V[o.cell];
+            sum.ownShare += o.volume*o.volume/(V[o.cell]*weight[o.cell]);
             sum.eps += o.volume*eps[o.cell];
             sum.filteredEps += o.volume*filtered.eps[o.cell];
             sum.epsJump += o.volume*filtered.epsJump[o.cell];

@@ -99,6 +99,10 @@ Foam::scalarField Foam::undisturbedFlow::inFluid
     {
         result[celli] = resolved.isLiquid(celli) ? 0 : 1;
     }
+    if (resolved.leavesParts())
+    {
+        result = resolved.open()().primitiveField();
+    }
     return result;
 }
 

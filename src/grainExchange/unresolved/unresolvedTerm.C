@@ -50,6 +50,7 @@ Foam::scalar Foam::unresolvedTerm::gamma
 (
     const label graini,
     const cellOverlap& o,
+    const scalar share,
     const bool isLiquid,
     const scalar eps,
     const vector& slip
@@ -62,7 +63,6 @@ Foam::scalar Foam::unresolvedTerm::gamma
         fluid_.rho()[o.cell],
         fluid_.mu()[o.cell]
     };
-    const scalar share = o.volume/grains_.mesh().V()[o.cell];
     return
         (
             isLiquid
@@ -84,6 +84,13 @@ void Foam::unresolvedTerm::predict
     const overlapList& overlaps = grains_.overlaps();
     const scalar deltaT = grains_.mesh().time().deltaTValue();
     const scalarField& V = grains_.mesh().V();
+
+    // Of the cells, what resolved grains leave
+    scalarField room(V);
+    if (resolved.leavesParts())
+    {
+        room *= max(resolved.open()().primitiveField(), SMALL);
+    }
 
     transfer_.resize(overlaps.size());
     const bool isFixed = grains_.motion().isFixed();
@@ -126,6 +133,7 @@ void Foam::unresolvedTerm::predict
                     (
                         graini,
                         o,
+                        o.volume/room[o.cell],
                         resolved.isLiquid(o.cell),
                         max(cellEps[o.cell], exchangeFields::epsMin),
                         U[o.cell] - motion.at(o.arm)

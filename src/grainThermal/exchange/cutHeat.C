@@ -98,25 +98,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutHeat::ratio
 
 void Foam::cutHeat::add
 (
+    const boolList& isResolved,
     const volScalarField& T,
     const volScalarField& kappa,
     cellHeat& cells
 )
 {
-    cells_.update();
+    cells_.update(isResolved);
     cells.conductivity *= cells_.conductance()*ratio(T);
 
-    const overlapList& overlaps = grains_.overlaps();
     const scalarField& V = T.mesh().V();
-    conductance_ = scalarField(overlaps.size(), Zero);
-    label walli = 0;
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    conductance_ = scalarField(grains_.overlaps().size(), Zero);
+    for (const cutCells::wall& x : cells_.walls())
     {
-        for (const cellOverlap& o : overlaps.of(graini))
-        {
-            const cutCells::wall& x = cells_.walls()[walli++];
-            conductance_[o.index] = kappa[o.cell]*perConductivity(x);
-            cells.coefficient[o.cell] += conductance_[o.index]/V[o.cell];
-        }
+        conductance_[x.overlap] = kappa[x.cell]*perConductivity(x);
+        cells.coefficient[x.cell] += conductance_[x.overlap]/V[x.cell];
     }
 }

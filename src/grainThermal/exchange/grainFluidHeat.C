@@ -111,7 +111,7 @@ void Foam::grainFluidHeat::setOpenConductivity()
         fluid_.kappaEff()
        *max
         (
-            exchange_.fields().fluidShare + 1 - exchange_.resolved().open(),
+            exchange_.resolved().amongSmall(exchange_.fields().fluidShare),
             transportFlux::least
         );
 }

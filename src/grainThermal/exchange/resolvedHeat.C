@@ -234,7 +234,7 @@ void Foam::resolvedHeat::setFaces
 Foam::scalarField Foam::resolvedHeat::conductance() const
 {
     return
-        cut_
+        cut_ && resolved_.isActive()
       ? cut_->conductance()
       : scalarField(grains_.overlaps().size(), Zero);
 }
@@ -258,7 +258,12 @@ void Foam::resolvedHeat::add
     lockedVolume_ = scalarField(grains_.size(), Zero);
     if (cut_)
     {
-        cut_->add(T, kappaOfFluid, cells);
+        boolList isResolved(grains_.size());
+        forAll(isResolved, i)
+        {
+            isResolved[i] = resolved_.isResolved(i);
+        }
+        cut_->add(isResolved, T, kappa, cells);
         return;
     }
     forAll(mesh.V(), celli)

@@ -90,7 +90,8 @@ void Foam::unresolvedHeat::add
     cellHeat& cells
 )
 {
-    const volScalarField& eps = exchange.epsAmongGrains();
+    const tmp<volScalarField> teps(exchange.epsOfLaws());
+    const volScalarField& eps = teps();
     const resolvedTerm& resolved = exchange.resolved();
     const overlapList& overlaps = grains_.overlaps();
     const scalarField& V = grains_.mesh().V();

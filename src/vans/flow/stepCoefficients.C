@@ -90,7 +90,13 @@ Foam::stepCoefficients::stepCoefficients
         "bByShare",
         still*(grains.b/share + grains.G*grains.beta/(alpha*share))
     ),
-    betaByShare("betaByShare", still*grains.beta/(alpha*share)),
+    betaByShare
+    (
+        "betaByShare",
+        resolved.leavesParts()
+      ? still*grains.beta*resolved.open()/(alpha*share)
+      : still*grains.beta/(alpha*share)
+    ),
     phib
     (
         "phib",
@@ -116,7 +122,7 @@ Foam::stepCoefficients::stepCoefficients
     (
         "muEff",
         fluid.muStress()
-       *viscosity.ratio(epsOpen + (1 - resolved.open() - resolved.locked()))
+       *viscosity.ratio(resolved.amongSmall(grains.fluidShare))
     ),
     muf("muf", fvc::interpolate(mu)),
     wallDrag(fluid.wallDrag()),

@@ -100,7 +100,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::upwindShare() const
 Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 {
     const volVectorField& U = fields_.U;
-    const surfaceScalarField& flux = step_->massFlux;
+    const surfaceScalarField flux
+    (
+        step_->massFlux.name(), resolved_.convectedByScheme(step_->massFlux)
+    );
     const surfaceScalarField upwinded(upwindShare()*flux);
     const surfaceScalarField byScheme(flux.name(), flux - upwinded);
 
@@ -189,7 +192,11 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
     // flux that is made from U, through a cell that a fixed grain covers, the drag
     // would be boundless: the gradient holds none of it yet.
     const stepCoefficients& step = *step_;
-    const surfaceScalarField& flux = fields_.phi;
+    const tmp<surfaceScalarField> tflux
+    (
+        resolved_.fluxInOpen(fields_.phi, fields_.phiU, gradient)
+    );
+    const surfaceScalarField& flux = tflux();
     const scalar kinks = fields_.areOfStep ? 1 : 0;
 
     surfaceScalarField faceForce("faceForce", gradient - kinks*step.phib);
@@ -229,7 +236,7 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
             faceForce,
             flux,
             step.eps*fluid_.rho(),
-            {flux, still, b, beta, atLocked},
+            {gradient, flux, still, b, beta, atLocked},
             result
         );
     }

@@ -180,7 +180,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
     }
     for (surfaceScalarField* flux : fields_.fluxesOfFluid())
     {
-        resolved_.correctFaceVelocity(fields_.phiOpen, *flux);
+        resolved_.correctFaceVelocity(fields_.phiOpen, tgradient(), *flux);
     }
     fields_.areOfStep = true;
     return tgradient;

@@ -152,7 +152,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImp
         for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
         {
             const Contact<D>& c = contacts_[k];
-            if (c.normalImpulse > 0)
+            if (c.normalImpulse > 0 || origin_[k].attraction > 0)
             {
                 add(origin_[k].pair, c.normal, origin_[k].gap,
                     impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
@@ -161,7 +161,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImp
         for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
         {
             const LeveredContact<D>& c = levered_[k];
-            if (c.impulse[0] > 0)
+            if (c.impulse[0] > 0 || leveredOrigin_[k].attraction > 0)
             {
                 add(leveredOrigin_[k].pair, c.normal(), leveredOrigin_[k].gap,
                     c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);

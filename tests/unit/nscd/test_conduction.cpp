@@ -317,6 +317,12 @@ TEST(Conduction, GoesOnInACohesiveContactUntilItBreaks)
         const double hotter = contacts[0].first == 0 ? 100 : -100;
         EXPECT_NEAR(conduction.heatFlow(contacts[0], dynamics.grains(), {}) / (hotter * expected), 1, 1e-6);
     }
+    // It has pulled in the step in which it breaks
+    const std::vector<ContactForce<3>> broken = pull(1.6);
+    ASSERT_EQ(broken.size(), 1u);
+    EXPECT_NEAR(broken[0].force.dot(broken[0].normal), -cohesion, 1e-9 * cohesion);
+    EXPECT_EQ(broken[0].pressing, 0);
+    EXPECT_EQ(conduction.conductance(broken[0], dynamics.grains(), {}), 0);
     EXPECT_TRUE(pull(1.6).empty());
 }
 

@@ -142,6 +142,28 @@ TYPED_TEST(ContactLaw, CohesionHoldsUpToItsForce)
     }
 }
 
+TYPED_TEST(ContactLaw, CohesionIsPartOfTheForcesOfTheStepInWhichItEnds)
+{
+    constexpr int D = TestFixture::dimension;
+    for (const double rolling : {0.0, 0.1})
+    {
+        nscd::ContactParameters law;
+        law.cohesion = 3;
+        law.rolling = rolling;
+        auto dynamics = pair<D>(law).dynamics();
+        pull<D>(dynamics, up<D>(-1));
+        pull<D>(dynamics, up<D>(4));
+        ASSERT_EQ(dynamics.contacts().size(), 1u);
+        const nscd::ContactForce<D> c = dynamics.contacts()[0];
+        const nscd::Vector<D> given = dynamics.contactImpulse()[1] / dt;
+        EXPECT_NEAR(given[D - 1], -3, 1e-9);
+        EXPECT_LE(((c.second == 1 ? c.force : nscd::Vector<D>(-c.force)) - given).norm(), 1e-9);
+        EXPECT_EQ(c.pressing, 0);
+        pull<D>(dynamics, up<D>(4));
+        EXPECT_TRUE(dynamics.contacts().empty());
+    }
+}
+
 TYPED_TEST(ContactLaw, CohesionActsAfterItsDelayOnly)
 {
     constexpr int D = TestFixture::dimension;

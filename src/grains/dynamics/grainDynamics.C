@@ -58,6 +58,8 @@ Foam::grainDynamics<D>::grainDynamics
             << "': " << err.what() << exit(FatalIOError);
     }
 
+    before_ = grains().position;
+
     const grainChecks<D> checks(properties_, grains());
     checks.requireTolerance();
     if (!set.changesMasses)
@@ -176,6 +178,7 @@ void Foam::grainDynamics<D>::advance
         [&](const nscd::Vectors<D>& force, const nscd::Spins<D>& torque)
         {
             sizeOfStep_ = size();
+            before_ = grains().position;
             lastStep_ = dynamics_->step(force, torque, deltaT);
         }
     );

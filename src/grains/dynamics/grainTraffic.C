@@ -116,6 +116,7 @@ void Foam::grainDynamics<D>::add
             << exit(FatalIOError);
     }
     isLocated_ = false;
+    before_.insert(before_.end(), more.position.begin(), more.position.end());
     cell_.resize(size(), label(-1));
     if (fluidForce_.size())
     {
@@ -154,6 +155,7 @@ void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
         if (!gone[i])
         {
             cell_[kept] = cell_[i];
+            before_[kept] = before_[i];
             if (fluidForce_.size())
             {
                 fluidForce_[kept] = fluidForce_[i];
@@ -161,6 +163,7 @@ void Foam::grainDynamics<D>::remove(const std::vector<bool>& gone)
             ++kept;
         }
     }
+    before_.resize(kept);
     fluidForce_.resize(fluidForce_.empty() ? 0 : kept);
     dynamics_->remove(gone);
     isLocated_ = false;

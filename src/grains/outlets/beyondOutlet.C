@@ -28,6 +28,7 @@ Foam::grainOutletTypes::beyond<D>::beyond
 template<int D>
 void Foam::grainOutletTypes::beyond<D>::mark
 (
+    const nscd::Vectors<D>&,
     const nscd::Vectors<D>& centres,
     const boolList&,
     std::vector<bool>& gone

@@ -76,6 +76,7 @@ Foam::labelList Foam::grainOutlets<D>::openings() const
 template<int D>
 std::vector<bool> Foam::grainOutlets<D>::passed
 (
+    const nscd::Vectors<D>& before,
     const nscd::Vectors<D>& centres,
     const boolList& outside
 ) const
@@ -83,7 +84,7 @@ std::vector<bool> Foam::grainOutlets<D>::passed
     std::vector<bool> gone(centres.size(), false);
     for (const grainOutlet<D>& outlet : outlets_)
     {
-        outlet.mark(centres, outside, gone);
+        outlet.mark(before, centres, outside, gone);
     }
     return gone;
 }

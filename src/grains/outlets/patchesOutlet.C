@@ -41,6 +41,7 @@ Foam::grainOutletTypes::patches<D>::patches
 template<int D>
 void Foam::grainOutletTypes::patches<D>::mark
 (
+    const nscd::Vectors<D>&,
     const nscd::Vectors<D>& centres,
     const boolList& outside,
     std::vector<bool>& gone

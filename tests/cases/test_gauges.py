@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Function objects of free surfaces and slides: levels, run-up, granular front."""
 
+import h5py
 import numpy as np
 import pytest
+from dry_box import dry_box
 from grain_box import control, grain_box, replace
 from water_box import column, level, water_box
 
@@ -86,6 +88,54 @@ def test_front(clone):
     assert front["Froude"][-1] == pytest.approx(front["speed"][-1] / np.sqrt(9.81 * 0.05), rel=1e-9)
     assert front["size"][-1] == 2
     assert front["network"][-1] == pytest.approx(last["position"][1, 0] + r - 0.01, rel=1e-9)
+
+
+def members(case, dimension):
+    """Centres (n, 3) and radii of the discs or spheres of all clusters, which are of one shape."""
+    grains = case.grains()
+    with h5py.File(case.path / case.times[-1] / "grains.h5") as file:
+        arms, sizes = (file[f"clusters/{name}"][()] for name in ("centre", "radius"))
+    centres = []
+    for place, radius, turn in zip(
+        grains["position"], grains["radius"], grains["orientation"], strict=True
+    ):
+        if dimension == 2:
+            cos, sin = np.cos(turn).item(), np.sin(turn).item()
+            axes = np.array([[cos, -sin], [sin, cos]])
+        else:
+            w, x, y, z = turn
+            cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+            axes = np.eye(3) + 2 * w * cross + 2 * cross @ cross
+        centres.append(place + radius * arms @ axes.T)
+    return np.concatenate(centres), np.outer(grains["radius"], sizes).ravel()
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_front_of_clusters_is_that_of_their_members(clone, dimension):
+    """Rods of five, anyhow: the farthest point of their discs or spheres, not of what is around."""
+    case = dry_box(clone, dimension=dimension)
+    rod = "type cluster; centres ((0 0 0) (2 0 0) (4 0 0) (6 0 0) (8 0 0)); radii (1 1 1 1 1);"
+    path = case.path / "constant/grainProperties"
+    path.write_text(f"{path.read_text()}\nshapes {{ rod {{ {rod} }} }}\n")
+    header = "FoamFile { version 2.0; format ascii; class dictionary; object packGrainsDict; }\n"
+    corner = "(0.08 0.1 0)" if dimension == 2 else "(0.08 0.1 0.1)"
+    (case.path / "system/packGrainsDict").write_text(
+        f"{header}type lattice; box (0 0 0) {corner}; radius 0.015; shape rod; material glass;"
+    )
+    case.run("packGrains")
+    watch(case, "type granularFront; direction (1 0 0); level 0.033;")
+    control(case, endTime=0.05, writeInterval=50)
+    case.run("dryGrainFoam")
+    front = case.table("postProcessing/watch/0/front.csv")
+    centre, radius = members(case, dimension)
+    assert front["grains"][-1] == pytest.approx((centre[:, 0] + radius).max(), rel=1e-9)
+    off = np.abs(centre[:, dimension - 1] - 0.033)
+    there = off < radius
+    at_level = centre[there, 0] + np.sqrt(radius[there] ** 2 - off[there] ** 2)
+    assert front["level"][-1] == pytest.approx(at_level.max(), rel=1e-9)
+    # The circles around the rods are farther
+    around = case.grains()["position"][:, 0] + case.grains()["radius"]
+    assert around.max() > front["grains"][-1] + 1e-4
 
 
 BAD = {

@@ -132,19 +132,23 @@ bool Foam::functionObjects::granularFront::write()
     scalar any = noFront, network = noFront, atLevel = noFront;
     forAll(group, i)
     {
-        const vector x(grains.centre(i) - origin_);
-        const scalar place = (x & direction_) + grains.radius(i);
-        any = std::fmax(any, place);
-        if (group[i] == largest && number[largest] > 1)
+        const bool isInNetwork = group[i] == largest && number[largest] > 1;
+        for (const grainMember& member : grains.members(i))
         {
-            network = std::fmax(network, place);
-        }
-        const scalar off = mag((x & up) - level_);
-        if (hasLevel_ && off < grains.radius(i))
-        {
-            const scalar there =
-                (x & direction_) + std::sqrt(sqr(grains.radius(i)) - sqr(off));
-            atLevel = std::fmax(atLevel, there);
+            const vector x(member.centre - origin_);
+            const scalar place = (x & direction_) + member.radius;
+            any = std::fmax(any, place);
+            if (isInNetwork)
+            {
+                network = std::fmax(network, place);
+            }
+            const scalar off = mag((x & up) - level_);
+            if (hasLevel_ && off < member.radius)
+            {
+                const scalar there =
+                    (x & direction_) + std::sqrt(sqr(member.radius) - sqr(off));
+                atLevel = std::fmax(atLevel, there);
+            }
         }
     }
 

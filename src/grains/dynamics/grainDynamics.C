@@ -257,6 +257,32 @@ void Foam::grainDynamics<D>::conduct(const scalar deltaT)
 
 
 template<int D>
+Foam::List<Foam::grainMember> Foam::grainDynamics<D>::members
+(
+    const label graini
+) const
+{
+    const nscd::Grains<D>& g = grains();
+    if (g.shape[graini] < 0)
+    {
+        return List<grainMember>(1, grainMember{centre(graini), radius(graini)});
+    }
+    const nscd::Cluster<D>& cluster = g.clusters[g.shape[graini]];
+    List<grainMember> result(label(cluster.centre.size()));
+    forAll(result, m)
+    {
+        const nscd::Vector<D> arm(g.orientation[graini]*cluster.centre[m]);
+        result[m].centre = space().positionInSpace
+        (
+            g.position[graini] + g.radius[graini]*arm
+        );
+        result[m].radius = g.radius[graini]*cluster.radius[m];
+    }
+    return result;
+}
+
+
+template<int D>
 std::vector<Foam::grainView::contact>
 Foam::grainDynamics<D>::contacts() const
 {

@@ -129,6 +129,39 @@ def test_dense_spheres(clone):
     assert np.sum(volume) / 0.1**3 == pytest.approx(0.57, abs=volume.max() / 0.1**3)
 
 
+ROD = "type cluster; centres ((0 0 0) (2 0 0)); radii (1 1);"
+
+
+def add_rods(case):
+    path = case.path / "constant/grainProperties"
+    path.write_text(f"{path.read_text()}\nshapes {{ rod {{ {ROD} }} }}\n")
+
+
+@pytest.mark.parametrize("dimension, wanted", [(2, 0.38), (3, 0.13)])
+def test_dense_clusters_fill_the_solid_fraction_themselves(clone, dimension, wanted):
+    """Two that touch fill a half of the circle around them, a quarter of the sphere."""
+    case = dry_box(clone, dimension=dimension)
+    add_rods(case)
+    entries = DENSE.replace("0.82", str(wanted)) + " shape rod;"
+    if dimension == 3:
+        entries = entries.replace("0.1 0)", "0.1 0.1)").replace("1.6e-3", "6e-3")
+        entries = entries.replace("2.4e-3", "7e-3")
+    _, radii = pack_case(case, entries, dimension)
+    volume = np.pi * radii**2 / 2 if dimension == 2 else np.pi / 3 * radii**3
+    box = 0.1**dimension
+    assert volume.sum() / box == pytest.approx(wanted, abs=volume.max() / box)
+
+
+def test_dense_clusters_have_their_own_limit(clone):
+    case = grain_box(clone)
+    add_rods(case)
+    entries = DENSE.replace("0.82", "0.6") + " shape rod;"
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    assert case.run("packGrains", check=False) == 1
+    for fragment in ("packGrainsDict", "'solidFraction'", "0.6", "at most about 0.42", "0.5 of"):
+        assert fragment in case.log
+
+
 def test_dense_fills_across_cyclic_patches(clone):
     case = cyclic_box(clone, [(0.05, 0.05)], 0.004)
     centres, radii = pack_case(case, DENSE.replace("0.82", "0.84"))

@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "grainMaterials.H"
+#include "grainShapes.H"
 #include "nscd/packing/DensePacking.hpp"
 #include "readGeometry.H"
 
@@ -51,6 +52,26 @@ Foam::grainSources::dense<D>::dense
 template<int D>
 nscd::Grains<D> Foam::grainSources::dense<D>::read() const
 {
+    // Those around clusters, of which they fill a share, are packed
+    constexpr scalar unit =
+        constant::mathematical::pi*(D == 2 ? 1 : 4.0/3.0);
+    const scalar share =
+        this->shape_ < 0
+      ? 1
+      : this->context_.shapes.clusters()[this->shape_].volume/unit;
+    const scalar packed = solidFraction_/share;
+
+    string allowed("one that grains of this distribution reach in the box");
+    if (share < 1)
+    {
+        const string around(string("the ") + grainSpace<D>::shape + "s around them");
+        const scalar densest = D == 2 ? 0.84 : 0.64;
+        allowed +=
+            ", of these clusters at most about " + Foam::name(densest*share)
+          + ": they fill " + Foam::name(share) + " of " + around
+          + ", which are packed and reach about " + Foam::name(densest);
+    }
+
     try
     {
         const nscd::SizeDistribution sizes(distribution_->sizes(D));
@@ -58,12 +79,12 @@ nscd::Grains<D> Foam::grainSources::dense<D>::read() const
         this->announce
         (
             dict_, "distribution",
-            solidFraction_*box_.volume()
+            packed*box_.volume()
            /(D == 2 ? 3.14*sqr(median) : 4.19*pow3(median))
         );
         const std::vector<double> radii = nscd::drawRadii<D>
         (
-            distribution_->sizes(D), box_, solidFraction_, this->seed_
+            sizes, box_, packed, this->seed_
         );
         return this->grains
         (
@@ -77,8 +98,7 @@ nscd::Grains<D> Foam::grainSources::dense<D>::read() const
         dictionaryInput::badValue
         (
             dict_, "solidFraction", Foam::name(solidFraction_),
-            "one that grains of this distribution reach in the box; "
-          + string(err.what())
+            allowed + "; " + string(err.what())
         );
     }
     return nscd::Grains<D>();

@@ -304,6 +304,26 @@ def test_bad_input_is_refused(clone, spoil, fragments):
     assert "printStack" not in case.log
 
 
+TURNING = {
+    "type": ("type rotation; origin (0 0 0); axis (0 0 1); rpm 10;", "rotation"),
+    "angle": ("type table; angle table ((0 0) (1 1)); origin (0 0 0); axis (0 0 1);", "( 1 1 )"),
+    "inertia": ("type free; mass 1; centre (0 0 0); inertia (1 2 3);", "( 1 2 3 )"),
+}
+
+
+@pytest.mark.parametrize("keyword", TURNING)
+def test_planes_of_spheres_do_not_turn(clone, keyword):
+    """It is said before the first step; those of discs are segments."""
+    entries, value = TURNING[keyword]
+    case = dry_box(clone, [(0.05, 0.05, 0.05)])
+    motion(entries)(case)
+    assert case.run("dryGrainFoam", check=False, timeout=60) == 1
+    for fragment in (f"{GRAINS}.walls.other.motion", f"'{keyword}'", value, "of type plane"):
+        assert fragment in case.log, f"no '{fragment}' in\n{case.log[case.log.find('-->') :]}"
+    assert "\nTime = " not in case.log
+    assert "printStack" not in case.log
+
+
 @pytest.mark.parametrize(
     "speed, fragments",
     [

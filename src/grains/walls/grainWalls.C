@@ -57,6 +57,18 @@ Foam::grainWalls<D>::grainWalls
                     "temperature"
                 }
             );
+            // Of discs it is a segment, which turns
+            if (D == 3 && body >= 0 && !motions_.last().turnedBy().empty())
+            {
+                const dictionary& motion = wall.subDict("motion");
+                const word keyword(motions_.last().turnedBy());
+                dictionaryInput::badValue
+                (
+                    motion, keyword, dictionaryInput::written(motion, keyword),
+                    "motions that do not turn a wall of type plane; patches"
+                    " and surfaces turn"
+                );
+            }
             auto plane = wallPieces::ofPlane(wall, space);
             plane.material = material;
             plane.body = body;

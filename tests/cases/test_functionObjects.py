@@ -205,6 +205,41 @@ def test_moments_hold_the_resistance_to_rolling(clone, dimension, restitution):
     assert (np.abs(taken - given) <= off * load + 1e-12).all()
 
 
+SPEED = 5.0
+LAWS = {
+    "bouncing": "type Coulomb; friction 0.2; restitution 0.6; rolling 0.05;",
+    "plastic": "type Coulomb; friction 0.2;",
+    # Several times their weight
+    "cohesive": "type cohesive; cohesion 0.1; friction 0.2; restitution 0.6;",
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@DIMENSIONS
+def test_walls_are_given_what_grains_lose(clone, dimension, law):
+    """Forces times the step are the momentum that contacts take of the grains in it."""
+    rng = np.random.default_rng(3)
+    centres = pile(dimension) * 0.9 + 0.005
+    velocity = rng.uniform(-SPEED, SPEED, centres.shape)
+    case = dry_box(clone, centres, 0.8 * RADIUS, velocity, dimension)
+    replace(case, GRAINS, "type        Coulomb;\n        friction    0.2;", LAWS[law])
+    up = "(0 1 0)" if dimension == 2 else "(0 0 1)"
+    motion = f"motion {{ type oscillation; direction {up}; amplitude 1e-3; frequency 20; }}"
+    plate = f"type plane; point (0 0.001 0.001); normal {up}; material steel; {motion}"
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    plate {{ {plate} }}\n")
+    add_function(case, "wallForces", every=1)
+    control(case, deltaT=2e-3, endTime=0.1, writeInterval=50)
+    case.run("dryGrainFoam")
+    assert max(int(n) for n in re.findall(r"(\d+) sub-steps", case.log)) > 1
+    book = ledger(case)
+    walls = [case.table(f"postProcessing/out/0/{name}.csv") for name in ("plate", "box")]
+    axes = "xyz"[:dimension]
+    taken = 2e-3 * np.array([sum(table[f"f{a}"] for table in walls) for a in axes])
+    given = np.array([book[f"impulse_{a}"] for a in axes])
+    # Contacts between grains cancel; tables have 12 digits
+    np.testing.assert_allclose(taken, -given, rtol=0, atol=1e-10 * np.abs(given).max())
+
+
 def test_walls_that_are_none_are_refused(clone):
     case = dry_box(clone, [(0.05, 0.05)], RADIUS, dimension=2)
     add_function(case, "wallForces", every=1)

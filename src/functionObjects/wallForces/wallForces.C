@@ -12,6 +12,8 @@
 #include "grainView.H"
 #include "tableDirectory.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace functionObjects
@@ -121,6 +123,7 @@ bool Foam::functionObjects::wallForces::write()
         findWalls(grains.wallNames());
     }
     const std::vector<grainView::contact> contacts(grains.contacts());
+    const std::vector<grainView::wallLoad> loads(grains.wallLoads());
     if (!Pstream::master())
     {
         return true;
@@ -128,15 +131,18 @@ bool Foam::functionObjects::wallForces::write()
     openFiles();
     forAll(walls_, i)
     {
-        label number = 0;
+        const label number = std::count_if
+        (
+            contacts.begin(), contacts.end(),
+            [&](const grainView::contact& c) { return c.wall == walls_[i]; }
+        );
         vector force(Zero), moment(Zero);
-        for (const grainView::contact& c : contacts)
+        for (const grainView::wallLoad& load : loads)
         {
-            if (c.wall == walls_[i])
+            if (load.wall == walls_[i])
             {
-                ++number;
-                force += c.force;
-                moment += ((c.place - origin_) ^ c.force) + c.moment;
+                force += load.force;
+                moment += ((load.place - origin_) ^ load.force) + load.moment;
             }
         }
         files_[i]

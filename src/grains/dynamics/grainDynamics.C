@@ -303,6 +303,25 @@ Foam::grainDynamics<D>::contacts() const
 
 
 template<int D>
+std::vector<Foam::grainView::wallLoad>
+Foam::grainDynamics<D>::wallLoads() const
+{
+    std::vector<wallLoad> result;
+    for (const nscd::WallImpulse<D>& c : dynamics_->wallImpulses())
+    {
+        result.push_back
+        ({
+            properties_.walls().entry()[c.wall],
+            space().positionInSpace(c.point),
+            space().toSpace(c.impulse)/lastTimeStep(),
+            space().spinInSpace(c.moment)/lastTimeStep()
+        });
+    }
+    return result;
+}
+
+
+template<int D>
 Foam::wordList Foam::grainDynamics<D>::wallNames() const
 {
     wordList names;

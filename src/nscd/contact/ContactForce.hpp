@@ -22,6 +22,16 @@ struct ContactForce
     Spin<D> moment = Spin<D>::Zero();   ///< of rolling, on the second, besides the force's [N m]
 };
 
+/// What a contact, or the impacts at it, gave a wall in a sub-step.
+template <int D>
+struct WallImpulse
+{
+    int wall;
+    Vector<D> point;     ///< where the contact is at the end of the sub-step [m]
+    Vector<D> impulse;   ///< [N s]
+    Spin<D> moment;      ///< of rolling, besides the impulse's [N m s]
+};
+
 /// A pair that touched in a sub-step: what passes between the two meanwhile asks for it.
 template <int D>
 struct Touching

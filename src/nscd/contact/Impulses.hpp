@@ -19,7 +19,7 @@ struct Impulse
     double age = 0;   ///< how long the contact, or one that it continues, has carried an impulse without a break [s]
 };
 
-/// What the impacts of a pair gave to the second body in a sub-step.
+/// What the contact of a pair, or the impacts before it, gave to the second body in a sub-step.
 template <int D>
 struct PairImpulse
 {
@@ -28,7 +28,7 @@ struct PairImpulse
     double gap;          ///< at the beginning of the sub-step [m]
     Vector<D> impulse;   ///< [N s]
     double pressing;     ///< sum of the normal impulses [N s]
-    int impacts;
+    int impacts;         ///< 0: of the contact
     Tangent<D> moment;   ///< of rolling [N m s]
 };
 

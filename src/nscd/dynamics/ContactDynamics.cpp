@@ -79,6 +79,12 @@ std::vector<ContactForce<D>> ContactDynamics<D>::contacts() const
 }
 
 template <int D>
+std::vector<WallImpulse<D>> ContactDynamics<D>::wallImpulses() const
+{
+    return implementation_->wallImpulses();
+}
+
+template <int D>
 void ContactDynamics<D>::recordTouching(bool on)
 {
     implementation_->recordTouching(on);

@@ -112,6 +112,10 @@ public:
     /// those between what has stayed, after load() none.  Collective.
     std::vector<ContactForce<D>> contacts() const;
 
+    /// What walls were given in the last step, once for each contact of each sub-step, also by grains that have been
+    /// removed since.  Order as contacts(); after load() none.  Collective.
+    std::vector<WallImpulse<D>> wallImpulses() const;
+
     /// Keep what touching() gives from the next step on.
     void recordTouching(bool on);
 

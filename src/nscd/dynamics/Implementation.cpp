@@ -143,6 +143,18 @@ std::vector<ContactForce<D>> ContactDynamics<D>::Implementation::contacts() cons
 }
 
 template <int D>
+std::vector<WallImpulse<D>> ContactDynamics<D>::Implementation::wallImpulses() const
+{
+    std::vector<WallImpulse<D>> all;
+    for (const std::vector<WallImpulse<D>>& mine : wallImpulses_)
+    {
+        const std::vector<WallImpulse<D>> gathered = communicator_.gather(mine);
+        all.insert(all.end(), gathered.begin(), gathered.end());
+    }
+    return all;
+}
+
+template <int D>
 void ContactDynamics<D>::Implementation::setTemperature(std::vector<double> temperature)
 {
     if (temperature.size() != grains_.size())
@@ -223,6 +235,8 @@ template std::vector<ContactForce<2>> ContactDynamics<2>::Implementation::ownCon
 template std::vector<ContactForce<3>> ContactDynamics<3>::Implementation::ownContacts() const;
 template std::vector<ContactForce<2>> ContactDynamics<2>::Implementation::contacts() const;
 template std::vector<ContactForce<3>> ContactDynamics<3>::Implementation::contacts() const;
+template std::vector<WallImpulse<2>> ContactDynamics<2>::Implementation::wallImpulses() const;
+template std::vector<WallImpulse<3>> ContactDynamics<3>::Implementation::wallImpulses() const;
 template void ContactDynamics<2>::Implementation::setTemperature(std::vector<double>);
 template void ContactDynamics<3>::Implementation::setTemperature(std::vector<double>);
 template void ContactDynamics<2>::Implementation::setWallNames(WallNames);

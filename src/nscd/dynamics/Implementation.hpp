@@ -34,6 +34,7 @@ public:
     void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
     std::vector<ContactForce<D>> contacts() const;
+    std::vector<WallImpulse<D>> wallImpulses() const;
     void recordTouching(bool on);
     std::vector<Touching<D>> touching() const;
     void dumpContactProblem(const std::string& file) const;
@@ -244,6 +245,7 @@ private:
     std::vector<Flyer<D>> flyers_;
     std::vector<Launch<D>> launches_;
     std::vector<ContactForce<D>> contactsOfOthers_;   ///< than removed ones, whose problem is no more
+    std::vector<std::vector<WallImpulse<D>>> wallImpulses_;   ///< of this rank in each sub-step
     bool recordsTouching_ = false;
     std::vector<std::vector<Touching<D>>> touching_;   ///< of this rank in each sub-step: contacts, then impacts
     std::vector<Body<D>> bodies_;

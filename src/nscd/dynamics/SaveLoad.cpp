@@ -184,6 +184,7 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     impacts_.clear();
     contactsOfOthers_.clear();
     touching_.clear();
+    wallImpulses_.clear();
     rebuildCandidates(state.candidatePosition, state.candidateOrientation, state.candidateReach, state.impulses);
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
     StepReport report;

@@ -68,6 +68,7 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
     std::fill(contactImpulse_.begin(), contactImpulse_.end(), Vector<D>::Zero());
     std::fill(contactSpinImpulse_.begin(), contactSpinImpulse_.end(), Spin<D>::Zero());
     touching_.clear();
+    wallImpulses_.clear();
     const double subStep = dt / report.subSteps;
     for (int s = 0; s < report.subSteps; ++s)
     {
@@ -78,6 +79,8 @@ StepReport ContactDynamics<D>::Implementation::step(const Vectors<D>& force, con
         }
         advance(subStep, report);
         keepTouching(subStep);
+        arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
+        wallImpulses_.push_back(problem_.wallImpulses(impacts_.impulses()));
     }
     lastTimeStep_ = dt;
     keepOwed(dt);

@@ -132,54 +132,88 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 }
 
 template <int D>
+template <class F>
+void ContactProblem<D>::forImpulses(std::size_t group, F&& f) const
+{
+    // One that attracts and presses no more parts in this step, and has pulled in it
+    for (std::size_t k = begin_[group].contact; k < begin_[group + 1].contact; ++k)
+    {
+        const Contact<D>& c = contacts_[k];
+        const Origin& origin = origin_[k];
+        if (c.normalImpulse > 0 || origin.attraction > 0)
+        {
+            f(PairImpulse<D>{origin.pair, c.normal, origin.gap,
+                             impulseVector(c.normal, c.normalImpulse - origin.attraction, c.slipImpulse),
+                             c.normalImpulse, 0, zeroTangent<D>()});
+        }
+    }
+    for (std::size_t k = begin_[group].levered; k < begin_[group + 1].levered; ++k)
+    {
+        const LeveredContact<D>& c = levered_[k];
+        const Origin& origin = leveredOrigin_[k];
+        if (c.impulse[0] > 0 || origin.attraction > 0)
+        {
+            f(PairImpulse<D>{origin.pair, c.normal(), origin.gap,
+                             c.frame * c.impulse - origin.attraction * c.normal(), c.impulse[0], 0, c.moment});
+        }
+    }
+}
+
+template <int D>
 std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImpulse<D>>& impacts) const
 {
     std::vector<ContactForce<D>> result;
     auto impact = impacts.begin();
     std::vector<int> placeOf(impacts.empty() ? 0 : candidates_.pairs().size(), -1);
-    const auto add = [&](std::size_t p, const Vector<D>& normal, double gap, const Vector<D>& impulse, double pressing)
+    const auto add = [&](const PairImpulse<D>& c)
     {
-        const Pair& pair = candidates_.pairs()[p];
-        const Vector<D> point = arrangement_.contactPoint(pair, {normal, gap});
+        const Pair& pair = candidates_.pairs()[c.pair];
         if (!placeOf.empty())
         {
-            placeOf[p] = static_cast<int>(result.size());
+            placeOf[c.pair] = static_cast<int>(result.size());
         }
-        result.push_back({pair.first, pair.second, point, normal, impulse / dt_, gap, pressing / dt_});
+        result.push_back({pair.first, pair.second, arrangement_.contactPoint(pair, {c.normal, c.gap}), c.normal,
+                          c.impulse / dt_, c.gap, c.pressing / dt_, toSpin(c.moment) / dt_});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
-        for (std::size_t k = begin_[g].contact; k < begin_[g + 1].contact; ++k)
-        {
-            const Contact<D>& c = contacts_[k];
-            if (c.normalImpulse > 0 || origin_[k].attraction > 0)
-            {
-                add(origin_[k].pair, c.normal, origin_[k].gap,
-                    impulseVector(c.normal, c.normalImpulse - origin_[k].attraction, c.slipImpulse), c.normalImpulse);
-            }
-        }
-        for (std::size_t k = begin_[g].levered; k < begin_[g + 1].levered; ++k)
-        {
-            const LeveredContact<D>& c = levered_[k];
-            if (c.impulse[0] > 0 || leveredOrigin_[k].attraction > 0)
-            {
-                add(leveredOrigin_[k].pair, c.normal(), leveredOrigin_[k].gap,
-                    c.frame * c.impulse - leveredOrigin_[k].attraction * c.normal(), c.impulse[0]);
-                result.back().moment = toSpin(c.moment) / dt_;
-            }
-        }
+        forImpulses(g, add);
         for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
         {
             if (placeOf[impact->pair] < 0)
             {
-                add(impact->pair, impact->normal, impact->gap, impact->impulse, impact->pressing);
-                result.back().moment = toSpin(impact->moment) / dt_;
+                add(*impact);
                 continue;
             }
             ContactForce<D>& force = result[placeOf[impact->pair]];
             force.force += impact->impulse / dt_;
             force.moment += toSpin(impact->moment) / dt_;
             force.pressing += impact->pressing / dt_;
+        }
+    }
+    return result;
+}
+
+template <int D>
+std::vector<WallImpulse<D>> ContactProblem<D>::wallImpulses(const std::vector<PairImpulse<D>>& impacts) const
+{
+    std::vector<WallImpulse<D>> result;
+    auto impact = impacts.begin();
+    const auto add = [&](const PairImpulse<D>& c)
+    {
+        const Pair& pair = candidates_.pairs()[c.pair];
+        if (pair.second < 0)
+        {
+            const Vector<D> point = arrangement_.contactPoint(pair, {c.normal, c.gap});
+            result.push_back({~pair.second, point, c.impulse, toSpin(c.moment)});
+        }
+    };
+    for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
+    {
+        forImpulses(g, add);
+        for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
+        {
+            add(*impact);
         }
     }
     return result;

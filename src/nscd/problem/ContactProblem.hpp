@@ -156,6 +156,9 @@ public:
     /// the places of solver order.
     std::vector<ContactForce<D>> forces(const std::vector<PairImpulse<D>>& impacts) const;
 
+    /// What walls are given by contacts of this problem and by impacts before.
+    std::vector<WallImpulse<D>> wallImpulses(const std::vector<PairImpulse<D>>& impacts) const;
+
     /// This rank's contacts; the velocities are those of the bodies that walls stand for.
     std::vector<SolvedContact<D>> solvedContacts(const std::vector<Body<D>>& bodies) const;
 
@@ -177,6 +180,10 @@ private:
         double attraction;     ///< impulse [N s]
         double wholeGap;       ///< [m]
     };
+
+    /// f(impulse) for each contact of a group that gave one.
+    template <class F>
+    void forImpulses(std::size_t group, F&& f) const;
 
     /// f(group, number, weight) for the numbers of all contacts.
     template <class F>

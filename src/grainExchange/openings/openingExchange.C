@@ -27,6 +27,14 @@ Foam::labelHashSet Foam::openingExchange::freePatches
 {
     labelList all(grains_.motion().openings());
     all.append(ofOthers);
+    // Fluid that passes grains which stay has their drag as far as there
+    forAll(U.mesh().boundary(), patchi)
+    {
+        if (U.mesh().boundary()[patchi].type() == fvPatch::typeName)
+        {
+            all.append(patchi);
+        }
+    }
 
     labelHashSet result;
     for (const label patchi : all)

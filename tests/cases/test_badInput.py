@@ -421,6 +421,27 @@ TABLE = [
         [GRAINS, "'roughness'"],
     ),
     ("gap", swap(FLUID, "rho ", "HeleShaw { gap 0; }\nrho "), [FLUID, "'gap'", "value 0", "> 0"]),
+    (
+        "viscosityModelBetweenPlates",
+        swap(
+            FLUID,
+            "nu ",
+            "HeleShaw { gap 0.01; } transportModel powerLaw;"
+            " powerLawCoeffs { k 1e-4; n 0.5; nuMin 1e-7; nuMax 1; }\n// ",
+        ),
+        [FLUID, "'transportModel'", "value powerLaw", "allowed: Newtonian, as there is HeleShaw"],
+    ),
+    (
+        "platesInThreeDimensions",
+        meshed(
+            NO_EMPTY,
+            swap(BLOCKS, "empty", "patch"),
+            swap(GRAINS, "\nshape   disc", "\nshape   sphere"),
+            swap(GRAINS, "        shape   disc;\n", "        shape   sphere;\n"),
+            swap(FLUID, "rho ", "HeleShaw { gap 0.01; }\nrho "),
+        ),
+        [FLUID, "'HeleShaw'", "one cell thick, between patches of type empty"],
+    ),
     ("typoInDrag", swap(GRAINS, "DiFelice;", "DiFelice; x 1;"), ["drag", "'x'", "shape"]),
     (
         "gravityAcross",

@@ -16,7 +16,31 @@ namespace
 {
 
 
-const Foam::word Newtonian("Newtonian");
+using namespace Foam;
+
+const word Newtonian("Newtonian");
+
+
+//- Plates shear the fluid across the mesh, which models of viscosity do not see
+void checkPlates(const dictionary& dict, const fvMesh& mesh)
+{
+    const word model(dict.getOrDefault<word>("transportModel", Newtonian));
+    if (model != Newtonian)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "transportModel", model, "Newtonian, as there is HeleShaw"
+        );
+    }
+    if (mesh.nSolutionD() == 3)
+    {
+        dictionaryInput::badValue
+        (
+            dict, "HeleShaw", "{ ... }",
+            "nothing, or a mesh that is one cell thick, between patches of type empty"
+        );
+    }
+}
 
 }
 
@@ -73,6 +97,10 @@ Foam::singleFluid::singleFluid
             properties_, "transportModel",
             viscosityModel::dictionaryConstructorTablePtr_->sortedToc()
         );
+    }
+    if (plates_.value() > 0)
+    {
+        checkPlates(properties_, U.mesh());
     }
     checkTransportProperties(properties_, moreEntries);
     requireDivScheme(U.mesh(), "div(phiEps,U)");

@@ -19,6 +19,7 @@ from grain_box import (
     write_csv,
 )
 from sphere_box import SIDE, decompose
+from test_restart import assert_same
 
 GRAINS = "constant/grainProperties"
 SPEED = 0.1
@@ -255,3 +256,20 @@ def test_scalars_have_names_of_their_own(clone, name):
     assert case.run("grainFoam", check=False) == 1
     for fragment in (f"'{name}'", "a field of the solver", "other than", "transportPotential"):
         assert fragment in case.log
+
+
+@pytest.mark.parametrize("kind", ["locked", "cutCells"])
+def test_a_dye_does_not_change_the_flow(clone, kind):
+    """Around a resolved disc that falls, not by a digit."""
+    plain, dyed = (grain_box(clone, [(0.052, 0.06)], 0.006, name=name) for name in ("a", "b"))
+    for case in (plain, dyed):
+        set_cells(case, 25)
+        options = f"coupling\n{{\n    resolvedGrains {{ type {kind}; from 3; }}"
+        replace(case, GRAINS, "coupling\n{", options)
+        replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+        control(case, deltaT=1e-3, endTime=0.04, writeInterval=40)
+    add_dye(dyed, 625)
+    for case in (plain, dyed):
+        case.run("grainFoam")
+    assert_same(plain, dyed)
+    assert np.ptp(dyed.field("dye")) > 0.1

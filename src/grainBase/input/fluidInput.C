@@ -22,7 +22,7 @@ void Foam::checkTransportProperties
     wordList allowed
     ({
         "FoamFile", "rho", "transportModel", model + "Coeffs", "HeleShaw",
-        "scalars"
+        "scalars", "Sct"
     });
     allowed.append(others);
     if (dict.found("mu") && others.found("mu"))

@@ -12,17 +12,18 @@
 Foam::vapour::vapour
 (
     const fvMesh& mesh,
-    const dictionary& transportProperties
+    const singleFluid& fluid
 )
 :
+    fluid_(fluid),
     D_("D", dimViscosity, 0)
 {
-    if (!transportProperties.found("vapour"))
+    if (!fluid.properties().found("vapour"))
     {
         return;
     }
     const dictionary& dict =
-        dictionaryInput::subDict(transportProperties, "vapour");
+        dictionaryInput::subDict(fluid.properties(), "vapour");
     dictionaryInput::checkKeywords(dict, {"D"});
     D_.value() = dictionaryInput::getScalar(dict, "D", dimViscosity, 0);
 
@@ -103,7 +104,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vapour::diffusivity
     const volScalarField& open
 ) const
 {
-    return D_*fvc::interpolate(open);
+    return fvc::interpolate(open*fluid_.diffusivity(D_));
 }
 
 

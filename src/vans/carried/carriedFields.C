@@ -179,16 +179,26 @@ void Foam::carriedFields::carry
         weight,
         isActive() ? 1e-12 : ofMassAlone
     );
-    forAll(scalars_, i)
-    {
-        scalars_[i].carry
-        (
-            flux_, dimensionedScalar("D", dimViscosity, D_[i])
-        );
-    }
     if (turbulence_)
     {
         turbulence_->correct(flux_);
+    }
+    forAll(scalars_, i)
+    {
+        const dimensionedScalar D("D", dimViscosity, D_[i]);
+        if (turbulence_)
+        {
+            scalars_[i].carry
+            (
+                flux_,
+                fvc::interpolate(flux_.fraction()*fluid_->diffusivity(D)),
+                cellExchange()
+            );
+        }
+        else
+        {
+            scalars_[i].carry(flux_, D);
+        }
     }
     if (fluid_ && makesRoom_)
     {

@@ -83,6 +83,10 @@ Foam::singleFluid::singleFluid
         dimensionedScalar(dimDynamicViscosity, Zero)
     ),
     mass_(U.mesh()),
+    Sct_
+    (
+        dictionaryInput::getPositiveOrDefault(properties_, "Sct", dimless, 0.85)
+    ),
     plates_
     (
         "plates",
@@ -230,4 +234,20 @@ void Foam::singleFluid::setTurbulence(const volScalarField& nut)
         muStress_.reset(new volScalarField("muStress", mu_));
     }
     setMu();
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::singleFluid::diffusivity
+(
+    const dimensionedScalar& D
+) const
+{
+    if (nut_)
+    {
+        return D + *nut_/Sct_;
+    }
+    return tmp<volScalarField>
+    (
+        new volScalarField(IOobject("D", rho_.instance(), rho_.mesh()), rho_.mesh(), D)
+    );
 }

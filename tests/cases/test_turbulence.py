@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Turbulence models of OpenFOAM: as in pisoFoam without grains, weighted by the fluid with them."""
 
+import re
+
 import numpy as np
 import pytest
 from grain_box import control, grain_box, lattice, ledger, replace
@@ -29,6 +31,17 @@ SCHEMES = "".join(
     for flux in ("phi", "alphaPhi")
     for name in ("k", "epsilon")
 )
+AT_WALLS = """functions
+{
+    force
+    {
+        type forces; libs ("libforces.so"); patches (bottom top); rho %s; CofR (0 0 0);
+        log no;
+    }
+    wallShearStress { type wallShearStress; libs ("libfieldFunctionObjects.so"); log no; }
+    yPlus { type yPlus; libs ("libfieldFunctionObjects.so"); log no; }
+}
+"""
 SOLVER = "{ solver PBiCGStab; preconditioner DILU; tolerance 1e-13; relTol 0; }"
 
 
@@ -99,6 +112,30 @@ def test_equals_piso_foam(clone):
     # The model has been at work, and the flow has become another than that without
     assert np.ptp(ours.field("k")) > K / 10
     assert ours.field("nut").min() > NU
+
+
+def last_numbers(case, name, lines=1):
+    """Of the file of a function object."""
+    (file,) = (case.path / f"postProcessing/{name}/0").glob(f"*{name}*.dat")
+    text = " ".join(file.read_text().splitlines()[-lines:])
+    return np.array([float(x) for x in re.findall(r"[-+]?\d[-+.e\d]*", text)])
+
+
+def test_function_objects_know_the_stress_of_turbulence(clone):
+    """Forces, shear and y+ of walls are pisoFoam's."""
+    ours, theirs = (channel(clone, name=name) for name in ("ours", "theirs"))
+    as_piso_foam(theirs)
+    set_model(theirs, MODELS["kEpsilon"])
+    for case, rho in ((ours, "rho"), (theirs, f"rhoInf; rhoInf {RHO}")):
+        file = case.path / "system/controlDict"
+        text = file.read_text()
+        file.write_text(text[: text.index("functions")] + AT_WALLS % rho)
+    ours.run("grainFoam")
+    theirs.run("pisoFoam")
+    for name, lines in (("force", 1), ("wallShearStress", 2), ("yPlus", 2)):
+        one, other = (last_numbers(case, name, lines) for case in (ours, theirs))
+        # The bound of test_equals_piso_foam, through a gradient
+        np.testing.assert_allclose(one, other, rtol=1e-8, atol=1e-8 * np.abs(other).max())
 
 
 def test_laminar_is_no_file(clone):

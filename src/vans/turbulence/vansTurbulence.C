@@ -65,7 +65,8 @@ Foam::vansTurbulence::vansTurbulence
         (
             flux.fraction(), fields.U, flux_, fields.phiU, fluid.transport()
         )
-    )
+    ),
+    registered_(*model_, fields.phiU, fluid.transport())
 {
     model_->validate();
     setViscosity();
@@ -81,6 +82,6 @@ void Foam::vansTurbulence::setViscosity()
 void Foam::vansTurbulence::correct(const transportFlux& flux)
 {
     flux_ = flux.flux();
-    model_->correct();
+    registered_.correct();
     setViscosity();
 }

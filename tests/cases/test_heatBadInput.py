@@ -104,6 +104,7 @@ TABLE = [
     ("noTRef", add(FLUID, "beta 1e-3;"), [FLUID, "'TRef'", "missing", "[0 0 0 1 0 0 0]"]),
     ("zeroTRef", add(FLUID, "beta 1e-3; TRef 0;"), [FLUID, "'TRef'", "value 0", "> 0"]),
     ("zeroPrt", add(FLUID, "Prt 0;"), [FLUID, "'Prt'", "value 0", "> 0"]),
+    ("zeroSct", add(FLUID, "Sct 0;"), [FLUID, "'Sct'", "value 0", "> 0"]),
     ("unknownEntry", add(FLUID, "cp 1000;"), [FLUID, "'cp'", "Cp"]),
     # Of the plates
     ("noTemperatureOfPlates", add(FLUID, PLATES % (350, "")),

@@ -99,13 +99,8 @@ int main(int argc, char *argv[])
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.fluxesOfFluid());
 
-        // The mass of (2.36) is of unresolved grains: what is carried besides does not
-        // change the flow
         const bool isStirred = exchange.fields().isStirred();
-        if (!isStirred)
-        {
-            carried.makeRoom();
-        }
+        carried.setStirred(isStirred);
         if (carried.isActive() || isStirred)
         {
             carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());

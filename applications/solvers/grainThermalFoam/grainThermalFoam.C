@@ -110,12 +110,7 @@ int main(int argc, char *argv[])
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.fluxesOfFluid());
 
-        // The mass of (2.36) is of unresolved grains: what is carried besides does not
-        // change the flow
-        if (!exchange.fields().isStirred())
-        {
-            carried.makeRoom();
-        }
+        carried.setStirred(exchange.fields().isStirred());
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);
         steam.carry(carried.flux());

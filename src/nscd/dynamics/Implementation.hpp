@@ -207,9 +207,9 @@ private:
     /// Sum of what contacts, without impacts, give to each grain and free wall [N]; what the tolerance hides counts.
     double givenByContacts(double dt) const;
 
-    /// Part of the forces across contacts that the next sub-step starts from (doc/theory, eq. 5.25): all after one that
-    /// has not converged, and where masses are so uneven that sweeps take too long to find them again.
-    double keptPart(double dt, bool converged);
+    /// Part of the forces across contacts that the next sub-step starts from (doc/theory, eq. 5.25): all where masses
+    /// are so uneven that sweeps take too long to find them again.
+    double keptPart(double dt);
 
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);

@@ -40,18 +40,17 @@ double ContactDynamics<D>::Implementation::givenByContacts(double dt) const
 }
 
 template <int D>
-double ContactDynamics<D>::Implementation::keptPart(double dt, bool converged)
+double ContactDynamics<D>::Implementation::keptPart(double dt)
 {
     const double given = givenByContacts(dt);
-    const bool isEven = unevenness_ <= evenMasses;
-    const double part = converged && isEven && given < relieved * mostGiven_ ? given / mostGiven_ : 1;
+    const double part = given < relieved * mostGiven_ && unevenness_ <= evenMasses ? given / mostGiven_ : 1;
     mostGiven_ = part < 1 ? given : std::max(mostGiven_, given);
     return part;
 }
 
 template double ContactDynamics<2>::Implementation::givenByContacts(double) const;
 template double ContactDynamics<3>::Implementation::givenByContacts(double) const;
-template double ContactDynamics<2>::Implementation::keptPart(double, bool);
-template double ContactDynamics<3>::Implementation::keptPart(double, bool);
+template double ContactDynamics<2>::Implementation::keptPart(double);
+template double ContactDynamics<3>::Implementation::keptPart(double);
 
 }  // namespace nscd

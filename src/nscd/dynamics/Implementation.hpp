@@ -204,13 +204,6 @@ private:
     double moveApart(bool accelerated, int maxSweeps, double tolerance,
                      double limit = std::numeric_limits<double>::infinity());
 
-    /// Sum of what contacts, without impacts, give to each grain and free wall [N]; what the tolerance hides counts.
-    double givenByContacts(double dt) const;
-
-    /// Part of the forces across contacts that the next sub-step starts from (doc/theory, eq. 5.25): all where masses
-    /// are so uneven that sweeps take too long to find them again.
-    double keptPart(double dt);
-
     void move(double dt, StepReport& report);
     void moveWalls(double dt, StepReport& report);
 
@@ -268,7 +261,6 @@ private:
     Wrenches<D> owed_;   ///< impulses [N s, N m s]: see owed()
     Wrenches<D> lasting_, earlier_;   ///< of contacts: see lasting(), and in the step before the last
     double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
-    double mostGiven_ = 0;   ///< by contacts since they were relieved last: see keptPart() [N]
 };
 
 }  // namespace nscd

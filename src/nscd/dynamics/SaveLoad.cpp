@@ -122,7 +122,6 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.earlier = earlier_;
     state.lastTimeStep = lastTimeStep_;
     state.lastSubStep = lastSubStep_;
-    state.mostGivenByContacts = mostGiven_;
     state.candidatePosition = candidates_.positions();
     state.candidateOrientation = candidates_.orientations();
     state.wallBodies = wallBodies_;
@@ -179,7 +178,6 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     heaviness_.assign(grains_.size(), 1);
     viscosity_.clear();
     lastSubStep_ = state.lastSubStep;
-    mostGiven_ = state.mostGivenByContacts;
     measureGrains();
     restoreWalls(state);
     problem_.clear();

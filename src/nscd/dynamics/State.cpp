@@ -323,7 +323,6 @@ void writeState(const std::string& file, const State<D>& s)
     out.writeAttribute("time", s.time);
     out.writeAttribute("lastTimeStep", s.lastTimeStep);
     out.writeAttribute("lastSubStep", s.lastSubStep);
-    out.writeAttribute("mostGivenByContacts", s.mostGivenByContacts);
     out.writeAttribute("candidateReachOfWalls", s.candidateReach.ofWalls);
     if (!s.materials.empty())
     {
@@ -388,7 +387,6 @@ State<D> readState(const std::string& file)
     s.time = in.readNumber("time");
     s.lastTimeStep = in.readNumber("lastTimeStep");
     s.lastSubStep = in.readNumber("lastSubStep");
-    s.mostGivenByContacts = in.hasAttribute("mostGivenByContacts") ? in.readNumber("mostGivenByContacts") : 0;
     const std::size_t n = in.read<std::int64_t>("id").rows;
     const auto column = [&](const std::string& name) { return readTable<double>(in, file, name, n, 1).values; };
     const auto integers = [&](const std::string& name) { return readTable<std::int64_t>(in, file, name, n, 1).values; };

@@ -26,7 +26,7 @@ struct State
     Vectors<D> contactImpulse;
     Spins<D> contactSpinImpulse;
     Wrenches<D> owed, lasting, earlier;
-    double lastTimeStep = 0, lastSubStep = 0, mostGivenByContacts = 0;
+    double lastTimeStep = 0, lastSubStep = 0;
 
     /// What the candidate list was made for, and hence the order of the sweeps.
     Vectors<D> candidatePosition;

@@ -28,7 +28,7 @@ void ContactDynamics<D>::Implementation::advance(double dt, StepReport& report)
         listAnew(wanted);
         converged = solveContacts(dt, report, watch);
     }
-    problem_.store(impulses_, keptPart(dt));
+    problem_.store(impulses_);
     for (Impulse<D>& impulse : impulses_)
     {
         impulse.age = impulse.normal > 0 ? impulse.age + dt : 0;

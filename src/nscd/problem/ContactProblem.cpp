@@ -99,7 +99,7 @@ std::vector<PassedWall> ContactProblem<D>::passedWalls(const std::vector<Body<D>
 }
 
 template <int D>
-void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses, double part) const
+void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 {
     for (Impulse<D>& impulse : impulses)
     {
@@ -114,8 +114,8 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses, double part) co
         if (c.normalImpulse > 0)
         {
             Impulse<D>& impulse = impulses[origin_[k].pair];
-            impulse.normal = part * c.normalImpulse + (1 - part) * origin_[k].attraction;
-            impulse.tangential = part * c.slipImpulse;
+            impulse.normal = c.normalImpulse;
+            impulse.tangential = c.slipImpulse;
         }
     }
     for (std::size_t k = 0; k < levered_.size(); ++k)
@@ -124,9 +124,9 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses, double part) co
         if (c.impulse[0] > 0)
         {
             Impulse<D>& impulse = impulses[leveredOrigin_[k].pair];
-            impulse.normal = part * c.impulse[0] + (1 - part) * leveredOrigin_[k].attraction;
-            impulse.tangential = part * tangential(c);
-            impulse.rolling = part * c.moment;
+            impulse.normal = c.impulse[0];
+            impulse.tangential = tangential(c);
+            impulse.rolling = c.moment;
         }
     }
 }

@@ -149,9 +149,8 @@ public:
     void get(Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
     void set(const Unknowns& u, std::vector<Body<D>>& bodies, bool overlaps, std::size_t begin, std::size_t end);
 
-    /// Write the impulses back, or a part of what they are beyond the attraction; zero for candidates that were not
-    /// chosen.  Ages stay as they are.
-    void store(std::vector<Impulse<D>>& impulses, double part = 1) const;
+    /// Write the impulses back; zero for candidates that were not chosen.  Ages stay as they are.
+    void store(std::vector<Impulse<D>>& impulses) const;
 
     /// Contacts with an impulse, of this problem or of impacts before, and the mean forces in them; with the numbers of
     /// the places of solver order.

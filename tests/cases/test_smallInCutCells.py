@@ -152,6 +152,23 @@ def test_heat_is_kept_and_bounded(clone):
     assert 300.1 <= disc <= 310
 
 
+def test_heat_is_kept_as_small_grains_leave(clone):
+    """Those before the disc in the list, so that its number changes within a step."""
+    case = shot(clone)
+    rows = (case.path / "constant/grains.csv").read_text().splitlines()
+    (case.path / "constant/grains.csv").write_text("\n".join([rows[0], *rows[2:], rows[1], ""]))
+    with_heat(case, 400, 300, '"left|right|bottom|top" { type cyclic; }')
+    file = case.path / GRAINS
+    box = "outlets { middle { type box; box (0.04 0 0) (0.06 0.1 0.01); } }"
+    file.write_text(f"{file.read_text()}\n{box}\n")
+    control(case, endTime=0.02, writeInterval=20)
+    case.run("grainThermalFoam")
+    assert ledger(case)["removed"].sum() >= 30
+    assert_books_close(case)
+    disc = case.grains()["temperature"][np.argmax(case.grains()["radius"])]
+    assert 300.1 <= disc <= 310
+
+
 def test_small_grains_alone(clone):
     """Without a resolved grain the choice changes but the mass that convects momentum."""
     velocity = []

@@ -131,7 +131,6 @@ int main(int argc, char *argv[])
         boiling.keepGrowth();
         exchange.discharge(fields.U, fields.fluxesOfFluid());
 
-        carried.setStirred(exchange.fields().isStirred());
         carried.carry
         (
             flow.fluidFlux(exchange.eps()),

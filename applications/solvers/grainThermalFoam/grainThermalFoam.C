@@ -110,7 +110,6 @@ int main(int argc, char *argv[])
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         exchange.discharge(fields.U, fields.fluxesOfFluid());
 
-        carried.setStirred(exchange.fields().isStirred());
         carried.carry(flow.fluidFlux(exchange.eps()), exchange.filled());
         heat.solve(carried.flux(), fields.U, fluid, heatExchange);
         steam.carry(carried.flux());

@@ -214,7 +214,6 @@ double ContactDynamics<D>::Implementation::freeSpeed(std::size_t i) const
 template <int D>
 void ContactDynamics<D>::Implementation::measureOverlaps(StepReport& report)
 {
-    arrangement_.move(grains_.position, grains_.orientation, members_, candidates_);
     std::vector<double> sums(2 * candidates_.blocks(), 0.0);   // depths and numbers of each block
     double worst = 0;
     for (const Group& group : candidates_.groups())

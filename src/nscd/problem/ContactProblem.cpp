@@ -132,15 +132,15 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
 }
 
 template <int D>
-template <class F>
-void ContactProblem<D>::forImpulses(std::size_t group, F&& f) const
+template <class Wanted, class F>
+void ContactProblem<D>::forImpulses(std::size_t group, Wanted&& wanted, F&& f) const
 {
     // One that attracts and presses no more parts in this step, and has pulled in it
     for (std::size_t k = begin_[group].contact; k < begin_[group + 1].contact; ++k)
     {
         const Contact<D>& c = contacts_[k];
         const Origin& origin = origin_[k];
-        if (c.normalImpulse > 0 || origin.attraction > 0)
+        if ((c.normalImpulse > 0 || origin.attraction > 0) && wanted(origin.pair))
         {
             f(PairImpulse<D>{origin.pair, c.normal, origin.gap,
                              impulseVector(c.normal, c.normalImpulse - origin.attraction, c.slipImpulse),
@@ -151,7 +151,7 @@ void ContactProblem<D>::forImpulses(std::size_t group, F&& f) const
     {
         const LeveredContact<D>& c = levered_[k];
         const Origin& origin = leveredOrigin_[k];
-        if (c.impulse[0] > 0 || origin.attraction > 0)
+        if ((c.impulse[0] > 0 || origin.attraction > 0) && wanted(origin.pair))
         {
             f(PairImpulse<D>{origin.pair, c.normal(), origin.gap,
                              c.frame * c.impulse - origin.attraction * c.normal(), c.impulse[0], 0, c.moment});
@@ -177,7 +177,7 @@ std::vector<ContactForce<D>> ContactProblem<D>::forces(const std::vector<PairImp
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
-        forImpulses(g, add);
+        forImpulses(g, [](std::size_t) { return true; }, add);
         for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
         {
             if (placeOf[impact->pair] < 0)
@@ -199,21 +199,22 @@ std::vector<WallImpulse<D>> ContactProblem<D>::wallImpulses(const std::vector<Pa
 {
     std::vector<WallImpulse<D>> result;
     auto impact = impacts.begin();
+    const auto isOfWall = [&](std::size_t pair) { return candidates_.pairs()[pair].second < 0; };
     const auto add = [&](const PairImpulse<D>& c)
     {
         const Pair& pair = candidates_.pairs()[c.pair];
-        if (pair.second < 0)
-        {
-            const Vector<D> point = arrangement_.contactPoint(pair, {c.normal, c.gap});
-            result.push_back({~pair.second, point, c.impulse, toSpin(c.moment)});
-        }
+        const Vector<D> point = arrangement_.contactPoint(pair, {c.normal, c.gap});
+        result.push_back({~pair.second, point, c.impulse, toSpin(c.moment)});
     };
     for (std::size_t g = 0; g + 1 < begin_.size(); ++g)
     {
-        forImpulses(g, add);
+        forImpulses(g, isOfWall, add);
         for (; impact != impacts.end() && impact->pair < candidates_.groups()[g].end; ++impact)
         {
-            add(*impact);
+            if (isOfWall(impact->pair))
+            {
+                add(*impact);
+            }
         }
     }
     return result;

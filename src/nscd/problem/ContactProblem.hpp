@@ -181,9 +181,9 @@ private:
         double wholeGap;       ///< [m]
     };
 
-    /// f(impulse) for each contact of a group that gave one.
-    template <class F>
-    void forImpulses(std::size_t group, F&& f) const;
+    /// f(impulse) for each contact of a group that gave one, if wanted(pair).
+    template <class Wanted, class F>
+    void forImpulses(std::size_t group, Wanted&& wanted, F&& f) const;
 
     /// f(group, number, weight) for the numbers of all contacts.
     template <class F>

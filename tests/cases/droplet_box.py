@@ -7,6 +7,7 @@
 """
 
 import numpy as np
+import pytest
 from grain_box import DEPTH, replace
 from heat_box import with_heat, write_T
 
@@ -19,6 +20,7 @@ FLUID = "constant/transportProperties"
 GAS_RHO, GAS_CP, GAS_K = 1.2, 1040.0, 0.026
 GAS = f"Cp {GAS_CP}; kappa {GAS_K};"
 WALLS = '"left|right|bottom|top"'
+SURFACES = pytest.mark.parametrize("surface", ["locked", "cutCells"])
 # Water from 256 to 373 K
 ANTOINE = """saturation
 {{
@@ -37,7 +39,15 @@ def share_of_water(T, pressure=1e5):
 
 
 def with_droplets(
-    case, centres, radius, velocity=None, liquid="", entries="", density=DENSITY, latent=LATENT
+    case,
+    centres,
+    radius,
+    velocity=None,
+    liquid="",
+    entries="",
+    density=DENSITY,
+    latent=LATENT,
+    surface="locked",
 ):
     """Add droplets at centres (n, 2) of one radius, or one per droplet."""
     centres = np.asarray(centres, dtype=float).reshape(-1, 2)
@@ -52,6 +62,7 @@ def with_droplets(
         + f"liquid {{ density {density}; latentHeat {latent}; boilingTemperature {BOILING};"
         + f" mu 2.8e-4; kappa 0.68; Cp 4200; {liquid} }}\n"
         + 'initialDroplets { type csv; file "constant/droplets.csv"; }\n'
+        + f"surface {surface};\n"
         + entries
     )
     return case

@@ -39,26 +39,24 @@ def test_conduction_around_a_disc(clone):
     assert errors[2] <= 0.001
 
 
-def across_gas(clone, name, moves):
-    """Heat of a cold disc of 8 cells at Re 208 in the second half of three diameters of way, and
-    its largest jump from step to step over the mean."""
-    speed, R, n, hot = 1 / 3, 0.005, 80, 573.15
-    case = grain_box(
-        clone,
-        [(0.0803 if moves else 0.0403, 0.0502)],
-        R,
-        velocity=[(-speed if moves else 0, 0)],
-        name=name,
-    )
+SPEED, RADIUS = 1 / 3, 0.005
+# A tenth of a cell each
+STEPS = 240
+
+
+def place_and_velocity(moves):
+    return (0.0803 if moves else 0.0403, 0.0502), (-SPEED if moves else 0, 0)
+
+
+def hot_gas(case, moves):
+    """Gas that streams, or rests for a cold disc of 8 cells to move through, at Re 208."""
+    n, hot = 80, 573.15
     with_cells(case, n)
-    stream(case, speed)
+    stream(case, SPEED)
     if moves:
         path = case.path / "0/U"
-        text = path.read_text().replace(f"({speed} 0 0)", "(0 0 0)")
+        text = path.read_text().replace(f"({SPEED} 0 0)", "(0 0 0)")
         path.write_text(text)
-    else:
-        fix_grains(case)
-    choose(case)
     ends = (
         f"left {{ type fixedValue; value uniform {hot}; }} right {{ type inletOutlet; inletValue"
         f' uniform {hot}; value uniform {hot}; }} "bottom|top" {{ type zeroGradient; }}'
@@ -69,15 +67,29 @@ def across_gas(clone, name, moves):
         case, hot, 373.15, ends, fluid="Cp 1000; kappa 0.026;", ofGlass="heatCapacity 1e6;",
         convection="limitedLinear 1",
     )
+    deltaT = 0.1 * 0.1 / n / SPEED
+    control(case, deltaT=repr(deltaT), endTime=repr(deltaT * STEPS), writeInterval=STEPS)
+    return case
+
+
+def mean_and_jump(values):
+    """Of the second half, and the largest jump from step to step over it."""
+    later = values[STEPS // 2 :]
+    return later.mean(), np.abs(np.diff(later)).max() / abs(later.mean())
+
+
+def across_gas(clone, name, moves):
+    """Heat in the second half of three diameters of way."""
+    place, velocity = place_and_velocity(moves)
+    case = hot_gas(grain_box(clone, [place], RADIUS, velocity=[velocity], name=name), moves)
+    if not moves:
+        fix_grains(case)
+    choose(case)
     replace(case, GRAINS, "density 2500;", "density 10000;")
-    # A tenth of a cell
-    deltaT, steps = 0.1 * 0.1 / n / speed, 240
-    control(case, deltaT=repr(deltaT), endTime=repr(deltaT * steps), writeInterval=steps)
     case.run("grainThermalFoam")
     book = heat_ledger(case)
     assert book["fluidError"].max() <= 1e-11
-    passed = book["exchanged"][steps // 2 :]
-    return passed.sum(), np.abs(np.diff(passed)).max() / abs(passed.mean())
+    return mean_and_jump(book["exchanged"])
 
 
 def test_a_disc_that_moves_takes_the_heat_of_one_in_a_stream(clone):

@@ -14,6 +14,7 @@ from droplet_box import (
     GAS_CP,
     GAS_K,
     LATENT,
+    SURFACES,
     WALLS,
     droplet_table,
     in_annulus,
@@ -32,14 +33,17 @@ from grain_box import (
 )
 from heat_box import GRAIN_CP, heat_ledger, with_heat, with_psi
 from sphere_box import sphere_box
+from test_cutCells import choose
 from test_parallel import decompose
 
 
+@SURFACES
 @pytest.mark.parametrize("B", [0.14, 1.0])
 @pytest.mark.parametrize("offset", [(0, 0), (0.3, 0.1)], ids=["centred", "off"])
-def test_a_droplet_at_rest_evaporates_as_stefan_says(clone, B, offset):
+def test_a_droplet_at_rest_evaporates_as_stefan_says(clone, B, offset, surface):
     """2 pi k/c ln(1 + B)/ln(R_o/R) per length, 8 cells across: 0.3 to 0.7 % were measured."""
-    case = in_annulus(clone, B, 8, offset, entries="motion fixed;", density=1e9)
+    droplet = {"entries": "motion fixed;", "density": 1e9, "surface": surface}
+    case = in_annulus(clone, B, 8, offset, **droplet)
     control(case, endTime=0.4, deltaT=2e-3, writeInterval=1000)
     case.run("grainDropletFoam")
     rate = droplet_table(case)["vapour"][-1] / 2e-3
@@ -47,7 +51,8 @@ def test_a_droplet_at_rest_evaporates_as_stefan_says(clone, B, offset):
     assert rate == pytest.approx(exact, rel=0.01)
 
 
-def test_a_sphere_at_rest_evaporates_as_stefan_says(clone):
+@SURFACES
+def test_a_sphere_at_rest_evaporates_as_stefan_says(clone, surface):
     """4 pi R k/c ln(1 + B), 8 cells across, with the exact temperature on the sides of a cube;
     without upwind 0.0 % were measured after 0.3 s."""
     B, radius, side, n = 1.0, 1e-3, 6e-3, 24
@@ -65,7 +70,8 @@ def test_a_sphere_at_rest_evaporates_as_stefan_says(clone):
     replace(case, "0/U", "type    noSlip", "type    zeroGradient")
     replace(case, "0/p_rgh", "type    zeroGradient", "type fixedValue; value uniform 0")
     replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     3")
-    with_droplets(case, [(place, place)], radius, density=1e9, entries="motion fixed;")
+    droplet = {"entries": "motion fixed;", "density": 1e9, "surface": surface}
+    with_droplets(case, [(place, place)], radius, **droplet)
     table = f"x,y,z,radius\n{place},{place},{place},{radius}\n"
     (case.path / "constant/droplets.csv").write_text(table)
     control(case, endTime=0.2, deltaT=2e-3, writeInterval=1000)
@@ -132,30 +138,37 @@ def test_a_disc_in_slender_cells_evaporates_to_the_last(clone):
     assert vapour == pytest.approx(10 * np.pi * radius**2 * 6e-4, rel=1e-9)
 
 
+@SURFACES
 @pytest.mark.parametrize("density", [500, 1250, 2500])
-def test_without_heat_a_droplet_moves_as_a_resolved_grain(clone, density):
+def test_without_heat_a_droplet_moves_as_a_resolved_grain(clone, density, surface):
     place, radius = (0.048, 0.055), 0.022
     grain = with_heat(grain_box(clone, [place], radius, name="grain"), T=BOILING, grains=BOILING)
+    choose(grain, surface)
     replace(grain, "constant/grainProperties", "density 2500;", f"density {density};")
     grain.run("grainThermalFoam")
     case = with_heat(grain_box(clone, name="droplet"), T=BOILING, grains=BOILING)
-    with_droplets(case, [place], radius, density=density)
+    with_droplets(case, [place], radius, density=density, surface=surface)
     case.run("grainDropletFoam")
     book = droplet_table(case)
     fallen = np.array([book["x"][-1], book["y"][-1]]) - place
-    # The droplet's file has twelve digits, and its mass is that of the volume in the mesh
-    np.testing.assert_allclose(fallen, grain.grains()["position"][0] - place, rtol=1e-6, atol=1e-9)
+    # The droplet's file has twelve digits, and its mass is that of the volume in the mesh; in cut
+    # cells what flows out of them is another difference of the same first order
+    tolerance = {"locked": (1e-6, 1e-9), "cutCells": (2e-5, 5e-8)}[surface]
+    moved = grain.grains()["position"][0] - place
+    np.testing.assert_allclose(fallen, moved, rtol=tolerance[0], atol=tolerance[1])
     assert np.abs(book["vapour"]).max() < 1e-12
 
 
-def test_a_droplet_that_goes_with_a_stream_leaves_it_uniform(clone):
+@SURFACES
+def test_a_droplet_that_goes_with_a_stream_leaves_it_uniform(clone, surface):
     speed = 0.1
     case = grain_box(clone)
     open_ends(case, speed)
     replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
     case.run("blockMesh")
     with_heat(case, T=BOILING, grains=BOILING)
-    with_droplets(case, [(0.048, 0.045)], 0.022, velocity=[(0, speed)], density=2000)
+    droplet = {"velocity": [(0, speed)], "density": 2000, "surface": surface}
+    with_droplets(case, [(0.048, 0.045)], 0.022, **droplet)
     case.run("grainDropletFoam")
     U = case.field("U")
     np.testing.assert_allclose(U[:, 1], speed, rtol=1e-9)
@@ -194,7 +207,7 @@ def test_evaporation_in_a_frame_that_moves(clone, cells_per_step, mean):
     assert np.abs(np.diff(rates[1]) / rates[1][1:]).max() < 0.1
 
 
-def hot_grains_inside(clone, name=None, **heat):
+def hot_grains_inside(clone, name=None, surface="locked", **heat):
     """Four hot grains that fall through a droplet in gas."""
     centres = [(0.045 + 0.01 * i, 0.05 + 0.0101 * j) for i in range(2) for j in range(2)]
     case = with_heat(
@@ -205,12 +218,13 @@ def hot_grains_inside(clone, name=None, **heat):
         **heat,
     )
     make_gas(case)
-    return with_droplets(case, [(0.05, 0.055)], 0.02)
+    return with_droplets(case, [(0.05, 0.055)], 0.02, surface=surface)
 
 
-def test_books_of_a_droplet_with_hot_grains_inside(clone):
+@SURFACES
+def test_books_of_a_droplet_with_hot_grains_inside(clone, surface):
     """Volume, water, heat and momentum."""
-    case = hot_grains_inside(clone)
+    case = hot_grains_inside(clone, surface=surface)
     open_top(case)
     case.run("grainDropletFoam")
     book, momentum, heat = droplet_table(case), ledger(case), heat_ledger(case)
@@ -229,9 +243,11 @@ def test_books_of_a_droplet_with_hot_grains_inside(clone):
     assert book["fromGrains"].sum() == pytest.approx(lost, rel=2e-3)
 
 
-def test_grains_inside_cool_as_lumps(clone):
+@SURFACES
+def test_grains_inside_cool_as_lumps(clone, surface):
     """Held in a droplet that is held they follow exp(-t Nu k S/(V rho c d)) with Nu = 2."""
-    case = hot_grains_inside(clone, law="type RanzMarshall; shape sphere;")
+    law = "type RanzMarshall; shape sphere;"
+    case = hot_grains_inside(clone, surface=surface, law=law)
     open_top(case)
     replace(case, "constant/grainProperties", "\ncoupling\n{", "\ncoupling\n{\n    motion fixed;")
     file = case.path / DROPLETS
@@ -243,22 +259,23 @@ def test_grains_inside_cool_as_lumps(clone):
     np.testing.assert_allclose(T, 100 * np.exp(-rate * 0.05), rtol=0.01)
 
 
-def falling(clone, name):
-    case = hot_grains_inside(clone, name)
+def falling(clone, name, surface="locked"):
+    case = hot_grains_inside(clone, name, surface)
     open_top(case)
     control(case, endTime=0.04, writeInterval=20)
     return case
 
 
-def test_restart_and_ranks(clone):
-    whole, parts = falling(clone, "whole"), falling(clone, "parts")
+@SURFACES
+def test_restart_and_ranks(clone, surface):
+    whole, parts = (falling(clone, name, surface) for name in ("whole", "parts"))
     run_whole_and_parts(whole, parts, "grainDropletFoam", 0.02, 0.04)
     for name in ("U", "T", "p_rgh"):
         np.testing.assert_array_equal(parts.field(name), whole.field(name))
 
     one = droplet_table(whole)
     for number in (2, 4):
-        ranks = falling(clone, f"ranks{number}")
+        ranks = falling(clone, f"ranks{number}", surface)
         decompose(ranks, number)
         ranks.parallel("grainDropletFoam", number)
         many = droplet_table(ranks)

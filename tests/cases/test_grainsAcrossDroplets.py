@@ -12,6 +12,8 @@ H = 0.0025
 RADIUS = 4 * H
 PLACE = np.array([0.051, 0.0503])
 CELLS = [0.3, 1, 2.4, 3.9]
+# Larger ones would fill cells at the surface
+OF_BOTH = [(cells, "locked") for cells in CELLS] + [(cells, "cutCells") for cells in (0.3, 0.7, 1)]
 
 
 def across(clone, cells, grain=None, velocity=(0, 0), stream=None, heat=None, **options):
@@ -35,11 +37,11 @@ def across(clone, cells, grain=None, velocity=(0, 0), stream=None, heat=None, **
     return case
 
 
-@pytest.mark.parametrize("cells", CELLS)
-def test_what_moves_together_stays_together(clone, cells):
+@pytest.mark.parametrize("cells, surface", OF_BOTH)
+def test_what_moves_together_stays_together(clone, cells, surface):
     """Droplet, grain and gas, a tenth of a cell in a step: cells change sides."""
     speed = 0.25
-    case = across(clone, cells, velocity=(0, speed), stream=speed)
+    case = across(clone, cells, velocity=(0, speed), stream=speed, surface=surface)
     control(case, endTime=0.02, writeInterval=1000)
     case.run("grainDropletFoam")
     book = droplet_table(case)
@@ -48,10 +50,10 @@ def test_what_moves_together_stays_together(clone, cells):
     np.testing.assert_allclose(book["vx"], 0, atol=2e-4 * speed)
 
 
-@pytest.mark.parametrize("cells", CELLS)
-def test_what_falls_together_has_the_same_speed(clone, cells):
+@pytest.mark.parametrize("cells, surface", OF_BOTH)
+def test_what_falls_together_has_the_same_speed(clone, cells, surface):
     """In free fall there is no buoyancy, and gas is nothing."""
-    case = across(clone, cells)
+    case = across(clone, cells, surface=surface)
     control(case, endTime=0.02, writeInterval=1000)
     case.run("grainDropletFoam")
     book, grain = droplet_table(case), tracks(case)
@@ -62,11 +64,11 @@ def test_what_falls_together_has_the_same_speed(clone, cells):
     assert ledger(case)["momentumError"].max() < 1e-9
 
 
-@pytest.mark.parametrize("cells", [1, 2.4, 3.9])
-def test_a_droplet_that_hits_a_grain_takes_it_along(clone, cells):
+@pytest.mark.parametrize("cells, surface", OF_BOTH[1:4] + OF_BOTH[5:])
+def test_a_droplet_that_hits_a_grain_takes_it_along(clone, cells, surface):
     """What it loses of its momentum the grain has, but for 0.3 % that is the gas's."""
     grain = PLACE + [7e-4, -(RADIUS + 0.6 * cells * H)]
-    case = across(clone, cells, grain, velocity=(0, -0.4))
+    case = across(clone, cells, grain, velocity=(0, -0.4), surface=surface)
     replace(case, "constant/g", "-9.81", "0")
     control(case, endTime=0.03, deltaT=5e-4, writeInterval=1000)
     case.run("grainDropletFoam")
@@ -80,13 +82,13 @@ def test_a_droplet_that_hits_a_grain_takes_it_along(clone, cells):
     assert book["inside"].max() <= inside * (1 + 1e-9)
 
 
-@pytest.mark.parametrize("cells", CELLS)
-def test_heat_of_a_hot_grain_that_a_droplet_takes_in_closes(clone, cells):
+@pytest.mark.parametrize("cells, surface", OF_BOTH)
+def test_heat_of_a_hot_grain_that_a_droplet_takes_in_closes(clone, cells, surface):
     """Henry's law in cells that the grain and the droplet fill."""
     grain = PLACE + [7e-4, -(RADIUS + 0.6 * cells * H)]
     law = "type Henry; shape sphere;"
     heat = {"T": BOILING + 30, "grains": BOILING + 230, "law": law}
-    case = across(clone, cells, grain, velocity=(0, -0.4), heat=heat)
+    case = across(clone, cells, grain, velocity=(0, -0.4), heat=heat, surface=surface)
     control(case, endTime=0.03, deltaT=5e-4, writeInterval=1000)
     case.run("grainDropletFoam")
     book = heat_ledger(case)

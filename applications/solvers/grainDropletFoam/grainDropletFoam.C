@@ -106,7 +106,7 @@ int main(int argc, char *argv[])
         }
 
         heatBooks.startStep(carried.flux());
-        term.update();
+        term.followGrains();
         boiling.startStep(heat.T());
         droplets.lighten(boiling.lost());
         steam.tell(grains, exchange.eps());

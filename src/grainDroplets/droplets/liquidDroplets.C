@@ -32,6 +32,14 @@ Foam::liquidDroplets::liquidDroplets
         )
     ),
     liquid_(dictionaryInput::subDict(dict_, "liquid"), fluidDensity),
+    areCut_
+    (
+        dictionaryInput::getWordOrDefault
+        (
+            dict_, "surface", "locked", {"locked", "cutCells"}
+        )
+     == "cutCells"
+    ),
     from_
     (
         dictionaryInput::getScalarOrDefault(dict_, "from", dimless, 4, 2, 100)
@@ -83,7 +91,7 @@ void Foam::liquidDroplets::findSmall(const scalar cells)
         // As resolvedGrains has it
         isSmall_[i] =
             system_.fluidDiameter(i) < (1 - 1e-6)*cells*mean[i]
-         || centres[i] == 0;
+         || (!areCut_ && centres[i] == 0);
     }
 }
 
@@ -150,7 +158,7 @@ void Foam::liquidDroplets::checkNew(const label first, const word& keyword)
                 << exit(FatalIOError);
         }
     }
-    findSmall(fewest);
+    findSmall(fewest());
 }
 
 
@@ -173,8 +181,8 @@ Foam::dictionary Foam::liquidDroplets::motionDict(const fvMesh& mesh) const
     (
         dict_,
         {
-            "FoamFile", "liquid", "initialDroplets", "motion", "blowing", "from",
-            "walls", "outlets", "tolerance", "saturation", "releases"
+            "FoamFile", "liquid", "initialDroplets", "motion", "blowing", "surface",
+            "from", "walls", "outlets", "tolerance", "saturation", "releases"
         }
     );
 
@@ -247,7 +255,7 @@ void Foam::liquidDroplets::setFilled()
 {
     const scalarField& V = system_.mesh().V();
     filled_ = scalarField(V.size(), Zero);
-    findSmall(fewest);
+    findSmall(fewest());
     for (label i = 0; i < size(); ++i)
     {
         for (const cellOverlap& o : system_.overlaps().of(i))

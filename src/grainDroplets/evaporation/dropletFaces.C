@@ -13,16 +13,15 @@ namespace
 using namespace Foam;
 
 //- Change the areas such that each surface is closed: the sum of A n is zero
-void closeSurfaces(const dropletTerm& term, DynamicList<dropletFace>& faces)
+void closeSurfaces(const label nDroplets, DynamicList<dropletFace>& faces)
 {
-    vectorField open(term.nDroplets(), Zero);
+    vectorField open(nDroplets, Zero);
     symmTensorField second(open.size(), Zero);
     scalarField area(open.size(), Zero);
     for (const dropletFace& f : faces)
     {
-        const vector n(term.normal(f.cell, f.droplet));
-        open[f.droplet] += f.area*n;
-        second[f.droplet] += f.area*sqr(n);
+        open[f.droplet] += f.area*f.normal;
+        second[f.droplet] += f.area*sqr(f.normal);
         area[f.droplet] += f.area;
     }
     sumOverRanks(open);
@@ -48,10 +47,7 @@ void closeSurfaces(const dropletTerm& term, DynamicList<dropletFace>& faces)
     }
     for (dropletFace& f : faces)
     {
-        f.area *= max
-        (
-            1 + (tilt[f.droplet] & term.normal(f.cell, f.droplet)), scalar(0.5)
-        );
+        f.area *= max(1 + (tilt[f.droplet] & f.normal), scalar(0.5));
     }
 }
 
@@ -82,25 +78,31 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
         term.conductance()*mesh.magSf()*mesh.nonOrthDeltaCoeffs()
     );
 
-    const auto surface = [&](const label cell, const label d, const vector& S)
-    {
-        return max(mag(S & term.normal(cell, d)), 0.1*mag(S));
-    };
-
     DynamicList<dropletFace> result;
+    const auto add = [&]
+    (
+        const label cell,
+        const label d,
+        const vector& S,
+        const scalar conductanceOfFace,
+        const scalar conductivityOfFace
+    )
+    {
+        const vector n(term.normal(cell, d));
+        const scalar area = max(mag(S & n), 0.1*mag(S));
+        result.append({cell, d, n, area, conductanceOfFace, conductivityOfFace});
+    };
     forAll(mesh.neighbour(), facei)
     {
         const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
         if ((droplet[P] < 0) != (droplet[N] < 0))
         {
             const bool isOwner = droplet[P] < 0;
-            const label cell = isOwner ? P : N;
-            const label d = droplet[isOwner ? N : P];
-            result.append
-            ({
-                cell, d, surface(cell, d, mesh.Sf()[facei]),
+            add
+            (
+                isOwner ? P : N, label(droplet[isOwner ? N : P]), mesh.Sf()[facei],
                 conductance[facei], conductivity[facei]
-            });
+            );
         }
     }
     forAll(mesh.boundary(), patchi)
@@ -116,17 +118,38 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
         {
             if (own[i] < 0 && neighbour[i] >= 0)
             {
-                const label cell = d.patch().faceCells()[i];
-                result.append
-                ({
-                    cell, label(neighbour[i]),
-                    surface(cell, label(neighbour[i]), d.patch().Sf()[i]),
+                add
+                (
+                    d.patch().faceCells()[i], label(neighbour[i]), d.patch().Sf()[i],
                     conductance.boundaryField()[patchi][i],
                     conductivity.boundaryField()[patchi][i]
-                });
+                );
             }
         }
     }
-    closeSurfaces(term, result);
+    closeSurfaces(term.nDroplets(), result);
+    return List<dropletFace>(std::move(result));
+}
+
+
+Foam::List<Foam::dropletFace> Foam::dropletFace::list
+(
+    const cutConduction& cut,
+    const scalarField& conductivity
+)
+{
+    DynamicList<dropletFace> result;
+    for (const cutCells::wall& x : cut.cells().walls())
+    {
+        const scalar area = mag(x.area);
+        if (cut.cells().fluid()[x.cell] > 0 && area > 0)
+        {
+            result.append
+            ({
+                x.cell, x.grain, -x.area/area, area, cut.perConductivity(x),
+                conductivity[x.cell]
+            });
+        }
+    }
     return List<dropletFace>(std::move(result));
 }

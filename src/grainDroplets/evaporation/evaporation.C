@@ -50,6 +50,7 @@ Foam::evaporation::evaporation
     vapourHeat_(vapour_),
     vapourShare_(vapour_),
     hold_(0),
+    cut_(droplets.areCut() ? new cutConduction(droplets.system()) : nullptr),
     taken_(0)
 {
     waitingFromFluid_.resize(droplets.size(), 0);

@@ -55,7 +55,7 @@ Foam::scalar Foam::evaporation::smallConductance
     const scalar part = min(radius/reach, scalar(0.9));
     const scalar surfacePerVolume = mesh_.nGeometricD()/radius;
     return
-        std::log1p(B)/B*surfacePerVolume*o.volume/mesh_.V()[o.cell]
+        std::log1p(B)/B*surfacePerVolume*o.volume
        /(radius*(isPlane ? -std::log(part) : 1 - part));
 }
 
@@ -86,31 +86,99 @@ void Foam::evaporation::conductThrough(surfaceScalarField& conductivity) const
 }
 
 
+void Foam::evaporation::updateCut()
+{
+    if (!cut_)
+    {
+        return;
+    }
+    boolList isCut(droplets_.size());
+    forAll(isCut, i)
+    {
+        isCut[i] = !droplets_.isSmall(i);
+    }
+    cut_->update(isCut);
+}
+
+
+void Foam::evaporation::setHolder()
+{
+    holder_.resize(mesh_.nCells());
+    holder_ = -1;
+    if (!cut_)
+    {
+        forAll(holder_, celli)
+        {
+            holder_[celli] = term_.dropletOf(celli);
+        }
+        return;
+    }
+    for (const cutCells::wall& x : cut_->cells().walls())
+    {
+        if (cut_->cells().fluid()[x.cell] <= 0)
+        {
+            holder_[x.cell] = x.grain;
+        }
+    }
+}
+
+
+Foam::List<Foam::dropletFace> Foam::evaporation::surfaces() const
+{
+    return
+        cut_
+      ? dropletFace::list(*cut_, gas_.kappa().primitiveField())
+      : dropletFace::list
+        (
+            term_, fvc::interpolate(gas_.kappa(), "interpolate(kappa)")
+        );
+}
+
+
 void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
 {
-    faces_ = dropletFace::list(term_, cells.conductivity);
-    conductThrough(cells.conductivity);
+    inCells_.clear();
+    updateCut();
+    setHolder();
+    if (cut_)
+    {
+        inCells_.append(surfaces());
+        cells.conductivity *=
+            cut_->part(T, [&](const label i) { return temperature(i); });
+    }
+    else
+    {
+        faces_ = dropletFace::list(term_, cells.conductivity);
+        conductThrough(cells.conductivity);
+    }
     hold_ = holding(gas_.capacity(), cells.conductivity);
 
-    smalls_.clear();
     for (label i = 0; i < droplets_.size(); ++i)
     {
         if (droplets_.isSmall(i))
         {
             for (const cellOverlap& o : droplets_.system().overlaps().of(i))
             {
-                const scalar h =
-                    gas_.kappa()[o.cell]*smallConductance(i, o, T[o.cell]);
-                cells.add(o.cell, h, temperature(i));
-                smalls_.append({o.cell, i, 0, h*mesh_.V()[o.cell], 1});
+                inCells_.append
+                ({
+                    o.cell, i, Zero, 0,
+                    smallConductance(i, o, T[o.cell]), gas_.kappa()[o.cell]
+                });
             }
         }
+    }
+    for (const dropletFace& f : inCells_)
+    {
+        cells.add
+        (
+            f.cell, f.coefficient(mesh_.V()[f.cell]), temperature(f.droplet)
+        );
     }
 
     const scalar C = gas_.capacity()/droplets_.properties().vapourDensity;
     forAll(T, celli)
     {
-        const label d = term_.dropletOf(celli);
+        const label d = holder_[celli];
         if (d >= 0)
         {
             cells.add(celli, hold_, temperature(d));
@@ -152,7 +220,7 @@ void Foam::evaporation::take(const volScalarField& T)
     taken_ = 0;
     forAll(T, celli)
     {
-        const label d = term_.dropletOf(celli);
+        const label d = holder_[celli];
         if (d >= 0)
         {
             all[d] += deltaT*V[celli]*hold_*(T[celli] - temperature(d));
@@ -160,7 +228,7 @@ void Foam::evaporation::take(const volScalarField& T)
         taken_ +=
             deltaT*V[celli]*C*(entering_[celli]*T[celli] - vapourHeat_[celli]);
     }
-    for (const List<dropletFace>& faces : {faces_, List<dropletFace>(smalls_)})
+    for (const List<dropletFace>& faces : {faces_, List<dropletFace>(inCells_)})
     {
         for (const dropletFace& f : faces)
         {
@@ -170,10 +238,11 @@ void Foam::evaporation::take(const volScalarField& T)
             stiffness_[f.droplet] += perDegree;
         }
     }
-    for (const dropletFace& f : smalls_)
+    for (const dropletFace& f : inCells_)
     {
         all[f.droplet] +=
-            deltaT*f.conductance*(T[f.cell] - temperature(f.droplet));
+            deltaT*f.conductance*f.conductivity
+           *(T[f.cell] - temperature(f.droplet));
     }
     sumOverRanks(all);
     sumOverRanks(fromFluid_);

@@ -175,13 +175,8 @@ void Foam::evaporation::warnIfInDebt(const scalar debt, const scalar all)
 
 void Foam::evaporation::startStep(const volScalarField& T)
 {
-    const List<dropletFace> faces
-    (
-        dropletFace::list
-        (
-            term_, fvc::interpolate(gas_.kappa(), "interpolate(kappa)")
-        )
-    );
+    updateCut();
+    const List<dropletFace> faces(surfaces());
     scalarField isThere(droplets_.size(), Zero);
     for (const dropletFace& f : faces)
     {
@@ -218,7 +213,7 @@ void Foam::evaporation::startStep(const volScalarField& T)
         addVapour(faces[i].cell, d, rate, carried[d]);
         liquid_[faces[i].cell] +=
             share[i]*lost_[d]/(deltaT*mesh_.V()[faces[i].cell]);
-        jets_[i] = {faces[i].cell, d, faces[i].area, rate};
+        jets_[i] = {faces[i].cell, d, faces[i].normal, faces[i].area, rate};
     }
     radius_.resize(droplets_.size());
     forAll(radius_, i)

@@ -83,7 +83,20 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
     cellExchange cells{perVolume*entering_, perVolume*vapourShare_};
     if (!saturated_)
     {
-        steam.carry(flux, steam.diffusivity(flux.fraction()), cells);
+        surfaceScalarField D(steam.diffusivity(flux.fraction()));
+        if (cut_)
+        {
+            D = steam.diffusivity
+            (
+                max
+                (
+                    term_.amongSmall(exchange_.fields().fluidShare),
+                    transportFlux::least
+                )
+            );
+            D *= cut_->cells().conductance();
+        }
+        steam.carry(flux, D, cells);
         return;
     }
 
@@ -93,40 +106,46 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
         (
             max
             (
-                exchange_.fields().fluidShare + term_.locked(),
+                term_.amongSmall(exchange_.fields().fluidShare),
                 transportFlux::least
             )
         )
     );
-    thinFilms(D);
-    const List<dropletFace> faces(dropletFace::list(term_, D));
-    D *= term_.conductance();
-    const scalar hold = holding(1, D);
-
     const volScalarField& psi = steam.psi().field();
     const auto shareOf = [&](const label d)
     {
         return saturated_->share(temperature(d));
     };
+    List<dropletFace> faces;
+    if (cut_)
+    {
+        D *= cut_->part(psi, shareOf);
+    }
+    else
+    {
+        thinFilms(D);
+        faces = dropletFace::list(term_, D);
+        D *= term_.conductance();
+    }
+    const scalar hold = holding(1, D);
 
     forAll(vapour_, celli)
     {
-        const label d = term_.dropletOf(celli);
+        const label d = holder_[celli];
         if (d >= 0)
         {
             cells.coefficient[celli] += hold;
             cells.given[celli] += hold*shareOf(d);
         }
     }
-    // Small droplets as for heat
-    List<dropletFace> smalls(smalls_);
-    for (dropletFace& f : smalls)
+    // As for heat
+    List<dropletFace> inCells(inCells_);
+    for (dropletFace& f : inCells)
     {
         const scalar share = shareOf(f.droplet);
         f.conductivity =
-            steam.D()/gas_.kappa()[f.cell]
-           *saturatedSurface::diffusing(share, psi[f.cell]);
-        const scalar h = f.conductance*f.conductivity/mesh_.V()[f.cell];
+            steam.D()*saturatedSurface::diffusing(share, psi[f.cell]);
+        const scalar h = f.coefficient(mesh_.V()[f.cell]);
         cells.coefficient[f.cell] += h;
         cells.given[f.cell] += h*share;
     }
@@ -140,20 +159,20 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
     vapourStiffness_ = Zero;
     forAll(vapour_, celli)
     {
-        const label d = term_.dropletOf(celli);
+        const label d = holder_[celli];
         if (d >= 0)
         {
             diffused[d] +=
                 perShare*mesh_.V()[celli]*hold*(shareOf(d) - psi[celli]);
         }
     }
-    for (const dropletFace& f : smalls)
+    for (const dropletFace& f : inCells)
     {
         diffused[f.droplet] +=
             perShare*f.conductance*f.conductivity
            *(shareOf(f.droplet) - psi[f.cell]);
     }
-    for (const List<dropletFace>& all : {faces, smalls})
+    for (const List<dropletFace>& all : {faces, inCells})
     {
         for (const dropletFace& f : all)
         {

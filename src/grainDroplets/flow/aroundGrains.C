@@ -31,11 +31,13 @@ void Foam::aroundGrains::update(const resolvedTerm& droplets)
     isLiquid_.resize(rho_.size());
     forAll(isLiquid_, celli)
     {
-        isLiquid_[celli] = droplets.isLiquid(celli);
+        const scalar share =
+            droplets.isLiquid(celli) ? 1 : droplets.inLiquid(celli);
+        rhoWeight_[celli] += share*(liquid_.density - rhoWeight_[celli]);
+        isLiquid_[celli] = share >= 1;
         if (isLiquid_[celli])
         {
             rho_[celli] = liquid_.density;
-            rhoWeight_[celli] = liquid_.density;
             mu_[celli] = liquid_.mu;
             kappa_[celli] = liquid_.film;
         }

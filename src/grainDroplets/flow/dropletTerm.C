@@ -20,7 +20,22 @@ Foam::dropletTerm::dropletTerm
 :
     droplets_(droplets),
     fluid_(fluid),
-    bodies_(droplets.system(), fluid, liquidDroplets::fewest),
+    cut_
+    (
+        droplets.areCut()
+      ? new cutGrains
+        (
+            droplets.system(), fluid, droplets.fewest(),
+            {droplets.dict(), "surface", "locked"}
+        )
+      : nullptr
+    ),
+    bodies_
+    (
+        cut_
+      ? static_cast<resolvedTerm*>(cut_)
+      : new lockedGrains(droplets.system(), fluid, droplets.fewest())
+    ),
     around_(fluid, droplets.properties()),
     thrust_(droplets)
 {}
@@ -57,7 +72,8 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
         );
     }
 
-    const scalar most = 4*gMin(cellSizes(grains.mesh()));
+    const scalar cells = cut_ ? 1 + 1e-6 : 4;
+    const scalar most = cells*gMin(cellSizes(grains.mesh()));
     for (label i = 0; i < grains.size(); ++i)
     {
         if (grains.fluidDiameter(i) >= most)
@@ -66,8 +82,14 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
                 << "Keyword 'initialGrains' of constant/grainProperties: grain "
                 << grains.motion().id(i) << " has a diameter of "
                 << grains.fluidDiameter(i) << " m" << nl
-                << "    allowed: less than " << most << ", four cells, as the flow"
-                << " is resolved around droplets and not around grains"
+                << "    allowed: less than " << most << ", " << label(cells)
+                << " times the size of the smallest cell, as "
+                << (
+                       cut_
+                     ? "it would fill cells at the surface of a droplet; or 'surface"
+                       " locked' in constant/dropletProperties"
+                     : "the flow is resolved around droplets and not around grains"
+                   )
                 << exit(FatalIOError);
         }
     }
@@ -76,7 +98,43 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
 
 void Foam::dropletTerm::update()
 {
-    bodies_.update();
+    bodies_->update();
+    setInCell();
+    around_.update(*this);
+}
+
+
+void Foam::dropletTerm::setInCell()
+{
+    if (!cut_)
+    {
+        return;
+    }
+    const overlapList& overlaps = droplets_.system().overlaps();
+    inCell_.resize(droplets_.system().mesh().nCells());
+    inCell_ = -1;
+    scalarField most(inCell_.size(), Zero);
+    for (label i = 0; i < droplets_.size(); ++i)
+    {
+        if (!cut_->isResolved(i))
+        {
+            continue;
+        }
+        for (const cellOverlap& o : overlaps.of(i))
+        {
+            if (o.volume > most[o.cell])
+            {
+                most[o.cell] = o.volume;
+                inCell_[o.cell] = i;
+            }
+        }
+    }
+}
+
+
+void Foam::dropletTerm::followGrains()
+{
+    bodies_->followGrains();
     around_.update(*this);
 }
 
@@ -103,14 +161,32 @@ Foam::vector Foam::dropletTerm::normal
 }
 
 
-Foam::vector Foam::dropletTerm::liquidVelocity(const label celli) const
+Foam::vector Foam::dropletTerm::atCell
+(
+    const grainMotion::twist& motion,
+    const label droplet,
+    const label celli
+) const
 {
     const grainSystem& system = droplets_.system();
-    const label i = dropletOf(celli);
-    return system.motion().motion(i).at
+    return motion.at
     (
-        system.shortest(system.mesh().C()[celli] - system.centres()[i])
+        system.shortest(system.mesh().C()[celli] - system.centres()[droplet])
     );
+}
+
+
+Foam::vector Foam::dropletTerm::liquidVelocity(const label celli) const
+{
+    const label i = cut_ ? inCell_[celli] : dropletOf(celli);
+    return atCell(droplets_.system().motion().motion(i), i, celli);
+}
+
+
+Foam::vector Foam::dropletTerm::velocityOfLiquid(const label celli) const
+{
+    const label i = inCell_[celli];
+    return atCell(cut_->motionOf(i), i, celli);
 }
 
 
@@ -122,7 +198,7 @@ void Foam::dropletTerm::blow
 )
 {
     thrust_.set(jets, growth, U, *this);
-    bodies_.blow(thrust_.speed());
+    bodies_->blow({thrust_.speed(), thrust_.ofAll()});
 }
 
 
@@ -136,13 +212,17 @@ void Foam::dropletTerm::forces
 {
     force = vectorField(droplets_.size(), Zero);
     torque = vectorField(droplets_.size(), Zero);
-    bodies_.addForce(U, force);
+    bodies_->addForce(U, force);
     addForceOnSmall(U, force);
     sumOverRanks(force);
-    bodies_.addViscousTorque(U, mu, torque);
+    if (cut_)
+    {
+        force += thrust_.ofAll();
+    }
+    bodies_->addViscousTorque(U, mu, torque);
     openingExchange(droplets_.system(), fluid_).extendForce
     (
-        bodies_, force, torque
+        *bodies_, force, torque
     );
 }
 
@@ -186,14 +266,14 @@ void Foam::dropletTerm::addForceOnSmall
 Foam::vector Foam::dropletTerm::impulseOnOthers(const volVectorField& U) const
 {
     vectorField force(droplets_.size(), Zero);
-    bodies_.addForce(U, force);
+    bodies_->addForce(U, force);
     vector sum(Foam::sum(force));
 
     const grainSystem& system = droplets_.system();
     const buoyancy weight(system, fluid_);
     for (label i = 0; i < droplets_.size(); ++i)
     {
-        if (bodies_.isResolved(i))
+        if (bodies_->isResolved(i))
         {
             for (const cellOverlap& o : system.overlaps().of(i))
             {

@@ -72,7 +72,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::dropletTerm::partOfSurface
     const exchangeFields& grains
 ) const
 {
-    if (!isActive())
+    if (!isActive() || cut_)
     {
         return tmp<surfaceScalarField>();
     }
@@ -100,6 +100,11 @@ void Foam::dropletTerm::addVolumeSource
     volScalarField& source
 ) const
 {
+    if (cut_)
+    {
+        addVolumeSourceInParts(grains, source);
+        return;
+    }
     const scalarField& V = U.mesh().V();
     const volScalarField open("open", 1 - locked());
     const surfaceScalarField gasPart(fvc::interpolate(open));
@@ -162,5 +167,41 @@ void Foam::dropletTerm::addVolumeSource
         source[celli] +=
             open[celli]*(swelling[celli]/V[celli] - outOfFluid[celli])
           - locked()[celli]*outOfDroplet[celli];
+    }
+}
+
+
+void Foam::dropletTerm::addVolumeSourceInParts
+(
+    const exchangeFields& grains,
+    volScalarField& source
+) const
+{
+    const List<cutCells::wall>& walls = cut_->cells().walls();
+    const scalarField& V = source.mesh().V();
+
+    // Grains that come in per time [m^3/s], and what makes room for them
+    scalarField taken(nDroplets(), Zero), surface(nDroplets(), Zero);
+    for (const cutCells::wall& x : walls)
+    {
+        const scalar passes =
+            x.area
+          & (
+                grains.solidFlux[x.cell]
+              - grains.solid[x.cell]*cut_->motionOf(x.grain).velocity
+            );
+        source[x.cell] -= passes/V[x.cell];
+        taken[x.grain] += passes;
+        surface[x.grain] += mag(x.area)*(1 - grains.solid[x.cell]);
+    }
+    sumOverRanks(taken);
+    sumOverRanks(surface);
+
+    // The droplet swells by them
+    for (const cutCells::wall& x : walls)
+    {
+        source[x.cell] +=
+            mag(x.area)*(1 - grains.solid[x.cell])/V[x.cell]
+           *taken[x.grain]/max(surface[x.grain], VSMALL);
     }
 }

@@ -68,7 +68,7 @@ void Foam::vapourThrust::set
                 jet.rate*(U[jet.cell] - motion.velocity);
             continue;
         }
-        const vector n(term.normal(jet.cell, jet.droplet));
+        const vector& n = jet.normal;
         const vector relative
         (
             (motion.spin ^ (system.motion().radius(jet.droplet)*n))
@@ -78,13 +78,16 @@ void Foam::vapourThrust::set
         coefficient_[jet.cell] += jet.rate/V[jet.cell];
         thrust_[jet.droplet] -= jet.rate*relative;
     }
-    pushDroplets(term);
+    sumOverRanks(thrust_);
+    if (!term.leavesParts())
+    {
+        pushDroplets(term);
+    }
 }
 
 
 void Foam::vapourThrust::pushDroplets(const dropletTerm& term)
 {
-    sumOverRanks(thrust_);
     const scalarField& V = droplets_.system().mesh().V();
     scalarField volume(droplets_.size(), Zero);
     forAll(V, celli)

@@ -155,7 +155,8 @@ void Foam::grainFluidExchange::setShares()
         }
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            share[o.cell] -= o.volume/mesh_.V()[o.cell];
+            share[o.cell] -=
+                (1 - resolved_->inLiquid(o.cell))*o.volume/mesh_.V()[o.cell];
         }
     }
 
@@ -214,7 +215,7 @@ void Foam::grainFluidExchange::tellTreatment()
 Foam::tmp<Foam::volScalarField> Foam::grainFluidExchange::epsOfLaws() const
 {
     return
-        resolved_->leavesParts()
+        resolved_->leavesParts() && !epsAmongGrains_
       ? resolved_->amongSmall(fields_.fluidShare)
       : tmp<volScalarField>(epsAmongGrains());
 }

@@ -25,8 +25,16 @@ Foam::vector Foam::grainFluidExchange::momentumOfCells
         // In a liquid the reaction to buoyancy is part of b
         if (!resolved_->isLiquid(celli))
         {
+            const scalar volume = (1 - eps[celli])*mesh_.V()[celli];
             result += deltaT
-               *weight_.forceInCell((1 - eps[celli])*mesh_.V()[celli], celli);
+               *(
+                    weight_.forceInCell(volume, celli)
+                  - weight_.force
+                    (
+                        resolved_->inLiquid(celli)*volume,
+                        resolved_->ofLiquid().density
+                    )
+                );
         }
         result += deltaT*mesh_.V()[celli]
            *(

@@ -88,6 +88,10 @@ Foam::exchangeFields::exchangeFields
     passingG(zeroField<vector>(mesh, "passingG", dimVelocity)),
     bBeside(zeroField<vector>(mesh, "bBeside", dimForce/dimVolume)),
     betaBeside(zeroField<scalar>(mesh, "betaBeside", dimDensity/dimTime)),
+    bOfBodies(zeroField<vector>(mesh, "bOfBodies", dimForce/dimVolume)),
+    betaOfBodies(zeroField<scalar>(mesh, "betaOfBodies", dimDensity/dimTime)),
+    solid(zeroField<scalar>(mesh, "solid", dimless)),
+    solidFlux(zeroField<vector>(mesh, "solidFlux", dimVelocity)),
     gradientOnGrains(gradientActsOnGrains),
     pressureDiffusion(artificialDiffusion)
 {}
@@ -105,6 +109,10 @@ void Foam::exchangeFields::clear()
     passingG = dimensionedVector(passingG.dimensions(), Zero);
     bBeside = dimensionedVector(bBeside.dimensions(), Zero);
     betaBeside = dimensionedScalar(betaBeside.dimensions(), Zero);
+    bOfBodies = dimensionedVector(bOfBodies.dimensions(), Zero);
+    betaOfBodies = dimensionedScalar(betaOfBodies.dimensions(), Zero);
+    solid = dimensionedScalar(solid.dimensions(), Zero);
+    solidFlux = dimensionedVector(solidFlux.dimensions(), Zero);
 }
 
 

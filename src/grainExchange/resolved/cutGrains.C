@@ -17,7 +17,8 @@ Foam::cutGrains::cutGrains
 (
     const grainSystem& grains,
     const carrier& fluid,
-    const scalar from
+    const scalar from,
+    const choice& chosen
 )
 :
     grains_(grains),
@@ -25,6 +26,7 @@ Foam::cutGrains::cutGrains
     fluid_(fluid),
     weight_(grains, fluid),
     from_(from),
+    chosen_(chosen),
     cells_(grains),
     isActive_(false),
     locked_
@@ -61,6 +63,7 @@ Foam::cutGrains::cutGrains
         dimensionedScalar("none", dimless, -1),
         zeroGradientFvPatchScalarField::typeName
     ),
+    cover_(mesh_.nCells(), -1),
     small_(nullptr),
     amongSmall_
     (
@@ -111,11 +114,9 @@ bool Foam::cutGrains::facesArePlane() const
 
 void Foam::cutGrains::refuse(const string& what) const
 {
-    const dictionary& dict =
-        grains_.motion().coupling().subDict("resolvedGrains");
     dictionaryInput::badValue
     (
-        dict, "type", "cutCells", "locked none, with " + what
+        chosen_.dict, chosen_.keyword, "cutCells", chosen_.others + ", with " + what
     );
 }
 
@@ -265,8 +266,25 @@ void Foam::cutGrains::update()
         }
     }
 
+    blowingSpeed_.clear();
     setFreeMotion();
     sumLinks();
+}
+
+
+void Foam::cutGrains::blow(const blowing& x)
+{
+    blowingSpeed_ = x.speed.primitiveField();
+    if (grains_.motion().isFixed())
+    {
+        return;
+    }
+    forAll(free_, graini)
+    {
+        free_[graini].velocity +=
+            mesh_.time().deltaTValue()*x.thrust[graini]
+           /grains_.motion().mass(graini);
+    }
 }
 
 

@@ -172,7 +172,8 @@ void Foam::cutGrains::startCorrections
     resists_ = Zero;
     forAll(link_, i)
     {
-        resists_[cells_.walls()[i].grain] += link_[i]*(1 - follows(i));
+        const cutCells::wall& x = cells_.walls()[i];
+        resists_[x.grain] += link_[i]*(1 - follows(i)) + resistanceInside(x);
     }
     sumOverRanks(resists_);
     setInertia();

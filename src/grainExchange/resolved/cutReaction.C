@@ -49,7 +49,9 @@ void Foam::cutGrains::addForceOfCells
         hasWall[x.cell] = true;
         force[x.grain] +=
             x.share*(pressure_[x.cell] + remainder_[x.cell])
-          + link_[i]*(U[x.cell] - velocityAt(i));
+          + link_[i]*(U[x.cell] - velocityAt(i))
+          + x.share*mesh_.V()[x.cell]*small_->bOfBodies[x.cell]
+          - resistanceInside(x)*velocityIn(x);
     }
     forAll(remainder_, celli)
     {
@@ -93,9 +95,10 @@ void Foam::cutGrains::setRemainder(const volVectorField& U)
         const scalar earlierChange =
             perShare*weights_.earlier*(fluid[celli] - fluidEarlier[celli]);
 
-        // What flows out where small grains move has to do with them, too
+        // What flows out where small grains move has to do with them, too, and
+        // beside bodies that blow with what comes out of them
         const scalar outflow =
-            amongSmall[celli] < 1
+            amongSmall[celli] < 1 || blowingSpeed_.size()
           ? earlierChange - change
           : outflow_[celli];
         remainder_[celli] =

@@ -39,7 +39,17 @@ Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
     }
     return
         option.type == "cutCells"
-      ? autoPtr<resolvedTerm>(new cutGrains(grains, fluid, *option.number))
+      ? autoPtr<resolvedTerm>
+        (
+            new cutGrains
+            (
+                grains, fluid, *option.number,
+                {
+                    grains.motion().coupling().subDict("resolvedGrains"),
+                    "type", "locked none"
+                }
+            )
+        )
       : autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *option.number));
 }
 

@@ -58,7 +58,7 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
             const tensor& grad = gradU[o.cell];
             const vector w(U[o.cell] - motion.at(o.arm));
 
-            e = -dragOfAddedMass(o.cell)*(w - deltaT*(through()[o.cell] & grad));
+            e = -dragOfAddedMass(fluid_.rho()[o.cell])*(w - deltaT*(through()[o.cell] & grad));
 
             for (const liftLaw& law : lift_)
             {
@@ -100,13 +100,24 @@ void Foam::unresolvedTerm::addForceAtStart
         const scalar mostGamma = stiff*grains_.motion().density(graini)/deltaT;
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            const scalar added = dragOfAddedMass(o.cell);
+            const scalar added = dragOfAddedMass(fluid_.rho()[o.cell]);
             const scalar gamma =
                 added + min(transfer_[o.index].gamma - added, mostGamma);
+            const scalar inLiquid = resolved.inLiquid(o.cell);
+            const scalar volume = (1 - inLiquid)*o.volume;
             force[graini] +=
                 weight_.force(o.volume, rho()[o.cell])
-              + o.volume*(gamma*(U[o.cell] - v) + knownForce_[o.index]);
-            massOfDrag[graini] += o.volume*gamma*deltaT;
+              + volume*(gamma*(U[o.cell] - v) + knownForce_[o.index]);
+            massOfDrag[graini] += volume*gamma*deltaT;
+            if (inLiquid > 0)
+            {
+                const scalar gammaInLiquid =
+                    min(inLiquid_[o.index].gamma, mostGamma);
+                force[graini] +=
+                    inLiquid*o.volume*gammaInLiquid
+                   *(resolved.liquidVelocity(o.cell) - v);
+                massOfDrag[graini] += inLiquid*o.volume*gammaInLiquid*deltaT;
+            }
         }
     }
 }
@@ -178,9 +189,10 @@ void Foam::unresolvedTerm::addForce
                 )
               : vector(Zero)
             );
-            const vector f
+            const scalar inLiquid = resolved.inLiquid(o.cell);
+            vector f
             (
-                o.volume
+                (1 - inLiquid)*o.volume
                *(
                   - onGrains*gradP[o.cell]
                   + t.given
@@ -191,6 +203,10 @@ void Foam::unresolvedTerm::addForce
                   + accelerated
                 )
             );
+            if (inLiquid > 0)
+            {
+                f += inLiquid*o.volume*forceOfLiquid(graini, o, resolved);
+            }
             const vector fromCentre
             (
                 o.arm
@@ -198,7 +214,7 @@ void Foam::unresolvedTerm::addForce
             );
             const vector shear
             (
-                o.volume*(t.gamma - dragOfAddedMass(o.cell))*t.a
+                o.volume*(t.gamma - dragOfAddedMass(fluid_.rho()[o.cell]))*t.a
                *(fromCentre & gradU[o.cell])
             );
             force[graini] += weight_.force(o.volume, rho()[o.cell]);

@@ -39,37 +39,106 @@ Foam::unresolvedTerm::unresolvedTerm
 {}
 
 
-Foam::scalar Foam::unresolvedTerm::dragOfAddedMass(const label celli) const
+Foam::scalar Foam::unresolvedTerm::dragOfAddedMass(const scalar rho) const
 {
-    return
-        addedMass_*fluid_.rho()[celli]/grains_.mesh().time().deltaTValue();
+    return addedMass_*rho/grains_.mesh().time().deltaTValue();
 }
 
 
 Foam::scalar Foam::unresolvedTerm::gamma
 (
     const label graini,
-    const cellOverlap& o,
+    const scalar rho,
+    const scalar mu,
     const scalar share,
     const bool isLiquid,
     const scalar eps,
     const vector& slip
 ) const
 {
-    const selfInduced::drag grain
-    {
-        *drag_,
-        grains_.lawDiameter(graini),
-        fluid_.rho()[o.cell],
-        fluid_.mu()[o.cell]
-    };
+    const selfInduced::drag grain{*drag_, grains_.lawDiameter(graini), rho, mu};
     return
         (
             isLiquid
           ? undisturbed_.gammaInLiquid(grain, share, eps, mag(slip))
           : undisturbed_.gamma(graini, grain, share, eps, mag(slip))
         )
-      + dragOfAddedMass(o.cell);
+      + dragOfAddedMass(rho);
+}
+
+
+Foam::vector Foam::unresolvedTerm::slipInLiquid
+(
+    const label graini,
+    const cellOverlap& o,
+    const resolvedTerm& resolved
+) const
+{
+    return
+        resolved.liquidVelocity(o.cell)
+      - grains_.motion().motion(graini).at(o.arm);
+}
+
+
+void Foam::unresolvedTerm::addInLiquid
+(
+    const label graini,
+    const cellOverlap& o,
+    const grainMotion::twist& free,
+    const scalar eps,
+    const resolvedTerm& resolved,
+    exchangeFields& fields
+)
+{
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const scalar V = grains_.mesh().V()[o.cell];
+    const liquidOfBodies liquid(resolved.ofLiquid());
+    const vector slip(slipInLiquid(graini, o, resolved));
+    const scalar added = dragOfAddedMass(liquid.density);
+    const scalar rhop = grains_.motion().density(graini);
+    const implicitTransfer<vector>& t = inLiquid_[o.index] =
+        implicitTransfer<vector>
+        (
+            gamma
+            (
+                graini, liquid.density, liquid.mu, o.volume/V, true, eps, slip
+            ),
+            deltaT,
+            rhop,
+            free.at(o.arm) - deltaT/rhop*added*slip
+        );
+
+    // The body has the cell's volume, and its liquid the reaction to buoyancy and to
+    // its own acceleration (doc/theory, eq. 10.3)
+    const scalar w = resolved.inLiquid(o.cell)*o.volume/V;
+    const scalar accelerated = t.a*liquid.density/deltaT;
+    fields.betaOfBodies[o.cell] += w*(t.a*t.gamma + accelerated);
+    fields.bOfBodies[o.cell] +=
+        w
+       *(
+            t.a*t.gamma*t.free
+          + accelerated*resolved.liquidVelocity(o.cell)
+          + added*slip
+        )
+      - weight_.force(w, liquid.density);
+}
+
+
+Foam::vector Foam::unresolvedTerm::forceOfLiquid
+(
+    const label graini,
+    const cellOverlap& o,
+    const resolvedTerm& resolved
+) const
+{
+    const scalar deltaT = grains_.mesh().time().deltaTValue();
+    const implicitTransfer<vector>& t = inLiquid_[o.index];
+    const scalar density = resolved.ofLiquid().density;
+    const vector v(resolved.velocityOfLiquid(o.cell));
+    return
+        t.given(v, Zero)
+      + t.a*density/deltaT*(v - resolved.liquidVelocity(o.cell))
+      - dragOfAddedMass(density)*slipInLiquid(graini, o, resolved);
 }
 
 
@@ -85,11 +154,16 @@ void Foam::unresolvedTerm::predict
     const scalar deltaT = grains_.mesh().time().deltaTValue();
     const scalarField& V = grains_.mesh().V();
 
-    // Of the cells, what resolved grains leave
+    // Of the cells, what bodies that grains do not enter leave
     scalarField room(V);
     if (resolved.leavesParts())
     {
-        room *= max(resolved.open()().primitiveField(), SMALL);
+        const volScalarField open("open", resolved.open());
+        forAll(room, celli)
+        {
+            room[celli] *= max(open[celli] + resolved.inLiquid(celli), SMALL);
+        }
+        inLiquid_.resize(overlaps.size());
     }
 
     transfer_.resize(overlaps.size());
@@ -132,7 +206,8 @@ void Foam::unresolvedTerm::predict
                     gamma
                     (
                         graini,
-                        o,
+                        fluid_.rho()[o.cell],
+                        fluid_.mu()[o.cell],
                         o.volume/room[o.cell],
                         resolved.isLiquid(o.cell),
                         max(cellEps[o.cell], exchangeFields::epsMin),
@@ -143,7 +218,22 @@ void Foam::unresolvedTerm::predict
                     free.at(o.arm) + deltaT/rhop*e
                 );
 
-            const scalar w = o.volume/V[o.cell];
+            scalar w = o.volume/V[o.cell];
+            if (resolved.leavesParts())
+            {
+                fields.solid[o.cell] += w;
+                fields.solidFlux[o.cell] += w*motion.at(o.arm);
+            }
+            const scalar inLiquid = resolved.inLiquid(o.cell);
+            if (inLiquid > 0)
+            {
+                addInLiquid
+                (
+                    graini, o, free, max(cellEps[o.cell], exchangeFields::epsMin),
+                    resolved, fields
+                );
+                w *= 1 - inLiquid;
+            }
             if (resolved.isLiquid(o.cell))
             {
                 // The body has the cell's volume, and its liquid the reaction to

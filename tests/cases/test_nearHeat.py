@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from dry_box import GRAINS
+from dry_box import GRAINS, write_facets
 from grain_box import control, grain_box, ledger, make_cyclic, replace
 from heat_box import fix_grains, heat_ledger, with_heat
 from test_heat import CAPACITY, COLD, DEPTH, DIMENSIONS, HOT, RADIUS, heated_box, mass
@@ -152,6 +152,40 @@ def add_plate(case, end, height, dimension):
     (folder / "plate.stl").write_text(f"solid plate\n{facets}endsolid plate\n")
     plate = 'type surface; file "plate.stl"; material steel;'
     replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n    plate {{ {plate} }}\n")
+
+
+def bend_floor(case, slope, dimension):
+    """The hot floor of two planes that meet below the middle, at the origin's height."""
+    middle, facets = 0.05, []
+
+    def corner(x, along):
+        height = slope * abs(x - middle)
+        return (x, height, along) if dimension == 2 else (x, along, height)
+
+    for a, b in ((0, middle), (middle, 0.1)):
+        square = corner(a, -0.01), corner(b, -0.01), corner(b, 0.11), corner(a, 0.11)
+        facets += [square[:3], (square[0], *square[2:])]
+    write_facets(case, "floor", facets)
+    text = (case.path / GRAINS).read_text()
+    start = text.index("type patches", text.index("floor {"))
+    end = text.index(";", text.index("patches (", start)) + 1
+    surface = 'type surface; file "floor.stl";'
+    (case.path / GRAINS).write_text(text[:start] + surface + text[end:])
+
+
+@pytest.mark.parametrize("near", ["throughFluid", "radiation"])
+@DIMENSIONS
+def test_floor_that_is_bent_next_to_nothing_is_one_wall(clone, dimension, near):
+    """Heat taken above the joint, bent by 1e-5, over that above a flat floor of two facets."""
+    entry = f"{near} {{ type {SHAPE[dimension]}; "
+    entry += f"conductivity {K}; }}" if near == "throughFluid" else "}"
+    gained = []
+    for slope in (0, 1e-5):
+        case = box(clone, place(1.03 * RADIUS)(dimension), dimension, entry, name=f"slope{slope}")
+        bend_floor(case, slope, dimension)
+        case.run("dryGrainFoam")
+        gained.append(case.grains()["temperature"][0] - COLD)
+    assert gained[1] / gained[0] == pytest.approx(1, abs=1e-3)
 
 
 def test_chain_is_in_equilibrium_with_the_floor(clone):

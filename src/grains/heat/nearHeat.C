@@ -154,13 +154,15 @@ void Foam::nearHeat<D>::check(const nscd::Grains<D>& grains) const
 
 
 template<int D>
-nscd::NearPair Foam::nearHeat<D>::pair
+template<class Law>
+double Foam::nearHeat<D>::sum
 (
     const nscd::Grains<D>& grains,
-    const nscd::NearBodies& bodies
+    const nscd::NearBodies& bodies,
+    const Law& law
 ) const
 {
-    return
+    nscd::NearPair pair
     {
         grains.radius[bodies.first],
         bodies.second < 0
@@ -169,6 +171,11 @@ nscd::NearPair Foam::nearHeat<D>::pair
         bodies.distance,
         depth_
     };
+    return nscd::ofOwnPart(bodies.own, [&](const double beside)
+    {
+        pair.beside = beside;
+        return law(pair);
+    });
 }
 
 
@@ -187,7 +194,12 @@ std::vector<double> Foam::nearHeat<D>::areas
         const bool inRange =
             near.second < 0
          || near.distance < range_*(radius + grains.radius[near.second]);
-        result[i] = inRange ? sight_(pair(grains, near), 2*range_*radius) : 0;
+        result[i] = inRange
+          ? sum(grains, near, [&](const nscd::NearPair& pair)
+            {
+                return sight_(pair, 2*range_*radius);
+            })
+          : 0;
         for (const int grain : {near.first, near.second})
         {
             if (grain >= 0)
@@ -267,7 +279,10 @@ void Foam::nearHeat<D>::join
         double h = 0;
         if (gap_)
         {
-            h += conductivity_*gap_(pair(grains, near[i]), lens_, leastGap_);
+            h += conductivity_*sum(grains, near[i], [&](const nscd::NearPair& pair)
+            {
+                return gap_(pair, lens_, leastGap_);
+            });
         }
         if (sight_)
         {

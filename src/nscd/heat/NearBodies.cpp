@@ -54,18 +54,25 @@ std::vector<NearBodies> nearBodies(const Grains<D>& grains, const WallContact<D>
                                  }
                              });
         const double farthest = 2 * reach * grains.radius[i];
+        std::vector<NearPlane<D>> planes;
         walls.forNear(grains.position[i], farthest,
                       [&](int wall)
                       {
                           const Vector<D> place = walls.image(wall, grains.position[i]);
                           const auto approach = walls.approach(wall, place, grains.radius[i]);
                           const double distance = approach ? approach->gap + grains.radius[i] : farthest;
-                          if (distance < farthest
-                              && !walls.separates(place, nearly * distance * approach->normal))
+                          if (distance < farthest && !walls.separates(place, nearly * walls.way(wall, place)))
                           {
-                              result.push_back({i, ~wall, distance});
+                              planes.push_back({wall, distance, approach->normal});
                           }
                       });
+        for (std::size_t k = 0; k < planes.size(); ++k)
+        {
+            if (const auto own = ownPart<D>(planes, k, farthest))
+            {
+                result.push_back({i, ~planes[k].wall, planes[k].distance, *own});
+            }
+        }
     }
     return result;
 }

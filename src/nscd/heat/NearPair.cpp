@@ -49,7 +49,7 @@ struct Layer
         }
         // Where the layer around the smaller one meets the other's surface, not beyond its own rim
         const double along = wall ? distance : (square(reach) - square(b) + square(distance)) / (2 * distance);
-        to = thickness(std::min(square(reach) - square(along), square(a)));
+        to = thickness(std::min({square(reach) - square(along), square(a), square(pair.beside)}));
     }
 
     /// At the square of a distance from the line of centres.
@@ -137,6 +137,18 @@ double gap::rowOfSpheres(const NearPair& pair, double lens, double leastGap)
     return pairs * spheres(one, lens, leastGap);
 }
 
+namespace
+{
+
+/// Of the directions in which a wall is seen, the cosine of the outermost with its normal.
+double cosineOfRim(const NearPair& pair, double farthest)
+{
+    const double distance = std::max(pair.distance, pair.firstRadius);
+    return std::min(distance / std::min(farthest, std::hypot(distance, pair.beside)), 1.0);
+}
+
+}  // namespace
+
 double sight::spheres(const NearPair& pair, double farthest)
 {
     const auto seen = [&](double own, double other)
@@ -146,7 +158,7 @@ double sight::spheres(const NearPair& pair, double farthest)
     };
     if (isWall(pair))
     {
-        const double cosine = std::min(std::max(pair.distance, pair.firstRadius) / farthest, 1.0);
+        const double cosine = cosineOfRim(pair, farthest);
         return 2 * pi * square(pair.firstRadius) * (1 - cosine);
     }
     return 0.5 * (seen(pair.firstRadius, pair.secondRadius) + seen(pair.secondRadius, pair.firstRadius));
@@ -156,7 +168,7 @@ double sight::cylinders(const NearPair& pair, double farthest)
 {
     if (isWall(pair))
     {
-        const double cosine = std::min(std::max(pair.distance, pair.firstRadius) / farthest, 1.0);
+        const double cosine = cosineOfRim(pair, farthest);
         return 2 * pair.firstRadius * pair.length * std::acos(cosine);
     }
     const double sum = pair.firstRadius + pair.secondRadius, difference = pair.firstRadius - pair.secondRadius;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 namespace nscd
 {
@@ -15,6 +16,9 @@ struct NearPair
     double secondRadius;   ///< [m]; infinite: a flat wall
     double distance;       ///< between centres, or of the centre from the wall [m]
     double length;         ///< of cylinders [m]
+
+    /// What is farther than this from the line of centres, or from the normal of the wall, is left out [m].
+    double beside = std::numeric_limits<double>::infinity();
 };
 
 /// Conduction through the fluid between near bodies: [W/K] per conductivity of the fluid [W/m/K], that is [m].

@@ -4,10 +4,12 @@
 #include "nscd/heat/Conduction.hpp"
 
 #include "nscd/base/Check.hpp"
+#include "nscd/heat/ContactPatch.hpp"
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace nscd
 {
@@ -97,7 +99,7 @@ double Conduction<D>::conductance(const ContactForce<D>& contact, const Grains<D
 
 template <int D>
 double Conduction<D>::conductance(const Touching<D>& touching, const Grains<D>& grains,
-                                  const std::vector<ThermalWall>& walls, double dt) const
+                                  const std::vector<ThermalWall>& walls, double dt, double joined) const
 {
     if (!(touching.pressed > 0))
     {
@@ -106,8 +108,8 @@ double Conduction<D>::conductance(const Touching<D>& touching, const Grains<D>& 
     ThermalContact c = thermalContact(touching.first, touching.second, touching.point, grains, walls);
     if (touching.impacts == 0)
     {
-        c.force = touching.pressed / touching.time;
-        return law_(c) * touching.time / dt;
+        c.force = joined * touching.pressed / touching.time;
+        return law_(c) / joined * touching.time / dt;
     }
     const double other = touching.second < 0 ? std::numeric_limits<double>::infinity() : grains.mass[touching.second];
     const double mass = 1 / (1 / grains.mass[touching.first] + 1 / other);
@@ -148,7 +150,12 @@ HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<do
                                    const std::vector<ThermalWall>& walls) const
 {
     return join(grains, heatCapacity, contacts, walls,
-                [&](const ContactForce<D>& contact) { return conductance(contact, grains, walls); });
+                [](const ContactForce<D>& contact) { return std::pair(contact.pressing, contact.pressing); },
+                [&](ContactForce<D> contact, double joined)
+                {
+                    contact.pressing *= joined;
+                    return conductance(contact, grains, walls) / joined;
+                });
 }
 
 template <int D>
@@ -157,7 +164,13 @@ HeatNetwork Conduction<D>::network(const Grains<D>& grains, const std::vector<do
                                    double dt) const
 {
     return join(grains, heatCapacity, touching, walls,
-                [&](const Touching<D>& pair) { return conductance(pair, grains, walls, dt); });
+                [&](const Touching<D>& pair)
+                {
+                    return pair.impacts == 0 ? std::pair(pair.pressed / pair.time, pair.pressed / dt)
+                                             : std::pair(0.0, 0.0);
+                },
+                [&](const Touching<D>& pair, double joined)
+                { return conductance(pair, grains, walls, dt, joined); });
 }
 
 template <int D>
@@ -191,13 +204,14 @@ void Conduction<D>::check(const Grains<D>& grains, const std::vector<double>& he
 }
 
 template <int D>
-template <class Pair, class ConductanceOf>
+template <class Pair, class ForceOf, class ConductanceOf>
 HeatNetwork Conduction<D>::join(const Grains<D>& grains, const std::vector<double>& heatCapacity,
                                 const std::vector<Pair>& pairs, const std::vector<ThermalWall>& walls,
-                                ConductanceOf&& conductanceOf) const
+                                ForceOf&& forceOf, ConductanceOf&& conductanceOf) const
 {
     check(grains, heatCapacity, walls);
-    HeatNetwork network(heatCapacity);
+    std::vector<std::size_t> onWalls;
+    std::vector<ContactPatch<D>> patches;
     for (std::size_t c = 0; c < pairs.size(); ++c)
     {
         const Pair& pair = pairs[c];
@@ -210,8 +224,29 @@ HeatNetwork Conduction<D>::join(const Grains<D>& grains, const std::vector<doubl
         else
         {
             checkIndex(wall, walls.size(), "contact", c, "wall");
+            ThermalContact contact = thermalContact(pair.first, pair.second, pair.point, grains, walls);
+            const auto [force, meanForce] = forceOf(pair);
+            if (force > 0)
+            {
+                contact.force = force;
+                const double radius = D == 2 ? hertzHalfWidth(contact) : hertzRadius(contact);
+                patches.push_back({pair.first, wall, pair.point, radius, force, meanForce});
+                onWalls.push_back(c);
+            }
         }
-        const double h = conductanceOf(pair);
+    }
+    std::vector<double> joined(pairs.size(), 1.0);
+    const std::vector<double> factors = joinedForces(patches);
+    for (std::size_t i = 0; i < factors.size(); ++i)
+    {
+        joined[onWalls[i]] = factors[i];
+    }
+    HeatNetwork network(heatCapacity);
+    for (std::size_t c = 0; c < pairs.size(); ++c)
+    {
+        const Pair& pair = pairs[c];
+        const int wall = ~pair.second;
+        const double h = conductanceOf(pair, joined[c]);
         if (h > 0 && wall < 0)
         {
             network.join(pair.first, pair.second, h);

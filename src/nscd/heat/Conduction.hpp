@@ -71,7 +71,8 @@ public:
                    const std::vector<ContactForce<D>>& contacts, const std::vector<ThermalWall>& walls,
                    double dt) const;
 
-    /// What the contacts join; throws as 'advance'.
+    /// What the contacts join, those of a grain with facets whose patches lie over each other as one (ContactPatch);
+    /// throws as 'advance'.
     HeatNetwork network(const Grains<D>& grains, const std::vector<double>& heatCapacity,
                         const std::vector<ContactForce<D>>& contacts, const std::vector<ThermalWall>& walls) const;
 
@@ -84,17 +85,17 @@ private:
     ThermalContact thermalContact(int first, int second, const Vector<D>& point, const Grains<D>& grains,
                                   const std::vector<ThermalWall>& walls) const;
 
-    /// In a step of length dt [W/K].
+    /// In a step of length dt [W/K]; of what lasts, the share of a patch with 'joined' times the force.
     double conductance(const Touching<D>& touching, const Grains<D>& grains, const std::vector<ThermalWall>& walls,
-                       double dt) const;
+                       double dt, double joined) const;
 
     void check(const Grains<D>& grains, const std::vector<double>& heatCapacity,
                const std::vector<ThermalWall>& walls) const;
 
-    /// conductanceOf(pair) [W/K]
-    template <class Pair, class ConductanceOf>
+    /// forceOf(pair): while it lasts, and over the step [N]; conductanceOf(pair, joined) [W/K]
+    template <class Pair, class ForceOf, class ConductanceOf>
     HeatNetwork join(const Grains<D>& grains, const std::vector<double>& heatCapacity, const std::vector<Pair>& pairs,
-                     const std::vector<ThermalWall>& walls, ConductanceOf&& conductanceOf) const;
+                     const std::vector<ThermalWall>& walls, ForceOf&& forceOf, ConductanceOf&& conductanceOf) const;
 
     std::vector<ThermalMaterial> materials_;
     double length_;

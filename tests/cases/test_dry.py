@@ -314,3 +314,32 @@ def test_table_of_a_spreadsheet_is_read(clone):
     (case.path / "constant/grains.csv").write_bytes(rows.encode())
     case.run("dryGrainFoam")
     assert case.grains()["radius"] == [0.004]
+
+
+@DIMENSIONS
+def test_contacts_take_the_energy_that_the_ledger_lacks(clone, dimension):
+    """Grains fall on each other and come to rest; contactWork has what weight gives in a step.
+
+    E(t) - E(0) = sum contactWork - dt g.(p(t) - p(0)) + n M g^2 dt^2/2, but for overlaps, which
+    are taken away without work (1e-5).
+    """
+    spread = np.random.default_rng(2).uniform(-3e-4, 3e-4, (48, dimension))
+    shape = (6, 8) if dimension == 2 else (4, 4, 3)
+    places = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), -1).reshape(-1, dimension)
+    case = dry_box(clone, 0.0107 * places + 0.006 + spread, RADIUS, dimension=dimension)
+    dt = 5e-4
+    control(case, deltaT=dt, endTime=0.5, writeInterval=10000)
+    case.run("dryGrainFoam")
+    book = ledger(case)
+    g = np.array([0, -G, 0]) if dimension == 2 else np.array([0, 0, -G])
+    momentum = np.stack([book[f"momentum_{axis}"] for axis in "xyz"], -1)
+    energy = book["kineticEnergy"] + book["potentialEnergy"]
+    volume = np.pi * RADIUS**2 * 0.01 if dimension == 2 else 4 / 3 * np.pi * RADIUS**3
+    total = 48 * 2500 * volume
+    n = np.arange(len(energy))
+    work = np.concatenate([[0], np.cumsum(book["contactWork"][1:])])
+    lacking = energy - energy[0] - work + dt * (momentum - momentum[0]) @ g
+    lacking -= n * total * G**2 * dt**2 / 2
+    lost = energy[0] - energy[-1]
+    assert np.abs(lacking).max() < 1e-4 * lost
+    assert (book["contactWork"] <= 1e-12 * lost).all()

@@ -123,6 +123,42 @@ void Foam::evaporation::setHolder()
 }
 
 
+void Foam::evaporation::setInCell()
+{
+    if (!cut_)
+    {
+        return;
+    }
+    inCell_.resize(mesh_.nCells());
+    inCell_ = -1;
+    scalarField most(inCell_.size(), Zero);
+    for (const cutCells::wall& x : cut_->cells().walls())
+    {
+        if (x.share > most[x.cell])
+        {
+            most[x.cell] = x.share;
+            inCell_[x.cell] = x.grain;
+        }
+    }
+}
+
+
+void Foam::evaporation::follow()
+{
+    updateCut();
+    setHolder();
+    setInCell();
+    fromGrainsInCells_.clear();
+}
+
+
+Foam::surroundings Foam::evaporation::ofShare() const
+{
+    const liquid& l = droplets_.properties();
+    return {l.density, l.mu, l.film, l.density*l.Cp};
+}
+
+
 Foam::List<Foam::dropletFace> Foam::evaporation::surfaces() const
 {
     return
@@ -138,8 +174,6 @@ Foam::List<Foam::dropletFace> Foam::evaporation::surfaces() const
 void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
 {
     inCells_.clear();
-    updateCut();
-    setHolder();
     if (cut_)
     {
         inCells_.append(surfaces());
@@ -236,6 +270,13 @@ void Foam::evaporation::take(const volScalarField& T)
             fromFluid_[f.droplet] +=
                 perDegree*(T[f.cell] - temperature(f.droplet));
             stiffness_[f.droplet] += perDegree;
+        }
+    }
+    forAll(fromGrainsInCells_, celli)
+    {
+        if (fromGrainsInCells_[celli] != 0)
+        {
+            all[inCell_[celli]] += fromGrainsInCells_[celli];
         }
     }
     for (const dropletFace& f : inCells_)

@@ -126,14 +126,20 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     exchange_.followGrains();
     setOpenConductivity();
 
+    if (others_)
+    {
+        others_->follow();
+    }
     cellHeat result(openConductivity_);
-    unresolved_.add(exchange_, U, result);
+    unresolved_.add(exchange_, U, others_, result);
     resolved_.add(T, openConductivity_, fluid_.kappa(), result);
     nodes_ = std::make_unique<heatNodes>
     (
         grains_, exchange_.resolved(), fluid_.capacity(),
         unresolved_.conductance() + resolved_.conductance(),
-        resolved_.lockedVolume()
+        resolved_.lockedVolume(),
+        others_,
+        unresolved_.toOthers()
     );
     if (others_)
     {
@@ -163,7 +169,7 @@ void Foam::grainFluidHeat::give(const volScalarField& T)
     grainTemperatures& grainT = grains_.temperatures();
     const scalar deltaT = T.time().deltaTValue();
 
-    scalarField heat(deltaT*nodes_->fromFluid(T));
+    scalarField heat(deltaT*(nodes_->fromFluid(T) + nodes_->fromOthers()));
     resolved_.addReceived(T, heat);
     sumOverRanks(heat);
     const scalarField linked(deltaT*nodes_->throughNetwork());
@@ -198,6 +204,7 @@ void Foam::grainFluidHeat::give(const volScalarField& T)
 
     if (others_)
     {
+        others_->takeFromGrains(deltaT*nodes_->toOthersInCells());
         others_->take(T);
     }
 }

@@ -14,7 +14,9 @@ Foam::heatNodes::heatNodes
     const resolvedTerm& resolved,
     const scalar fluidCapacity,
     const scalarField& overlapConductance,
-    const scalarField& lockedVolume
+    const scalarField& lockedVolume,
+    const otherHeat* others,
+    const scalarField& toOthers
 )
 :
     grains_(grains),
@@ -22,6 +24,8 @@ Foam::heatNodes::heatNodes
     fluidCapacity_(fluidCapacity),
     network_(grains.temperatures().network()),
     overlap_(overlapConductance/fluidCapacity),
+    toOthers_(toOthers/fluidCapacity),
+    temperatureOfOthers_(toOthers.size(), Zero),
     whole_(grains.size(), 1),
     bodyOfCells_(grains.mesh().nCells(), -1),
     isInCells_(grains.size(), false),
@@ -37,9 +41,37 @@ Foam::heatNodes::heatNodes
     {
         joined_[outlet.i] += outlet.conductance/fluidCapacity_;
     }
+    forOthers
+    (
+        [&](const label, const cellOverlap& o)
+        {
+            temperatureOfOthers_[o.index] = others->temperatureIn(o.cell);
+        }
+    );
     setCells(lockedVolume);
     setRows();
     setReturned();
+}
+
+
+template<class Function>
+void Foam::heatNodes::forOthers(const Function& f) const
+{
+    if (toOthers_.empty())
+    {
+        return;
+    }
+    const overlapList& overlaps = grains_.overlaps();
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            if (toOthers_[o.index] > 0)
+            {
+                f(graini, o);
+            }
+        }
+    }
 }
 
 
@@ -84,7 +116,20 @@ void Foam::heatNodes::setRows()
     }
     sumOverRanks(sum);
 
-    diagonal_ = sum + joined_;
+    scalarField others(grains_.size(), Zero), given(grains_.size(), Zero);
+    forOthers
+    (
+        [&](const label graini, const cellOverlap& o)
+        {
+            const scalar h = whole_[graini]*toOthers_[o.index];
+            others[graini] += h;
+            given[graini] += h*temperatureOfOthers_[o.index];
+        }
+    );
+    sumOverRanks(others);
+    sumOverRanks(given);
+
+    diagonal_ = sum + joined_ + others;
     source_ = scalarField(grains_.size(), Zero);
     values_ = scalarField(grains_.size(), Zero);
     forAll(diagonal_, i)
@@ -96,7 +141,7 @@ void Foam::heatNodes::setRows()
           ? perStep
           : perStep*exponentialMean(diagonal_[i]/perStep);
         diagonal_[i] = inMesh(i)*(diagonal_[i] + own);
-        source_[i] = inMesh(i)*own*values_[i];
+        source_[i] = inMesh(i)*(own*values_[i] + given[i]);
     }
     for (const nscd::HeatNetwork::Outlet& outlet : network_.outlets())
     {
@@ -130,7 +175,7 @@ bool Foam::heatNodes::isAlone() const
         network_.links().empty()
      && network_.outlets().empty()
      && !isInCells_.found(true)
-     && gSum(overlap_) == 0;
+     && gSum(overlap_) + gSum(toOthers_) == 0;
 }
 
 
@@ -224,6 +269,38 @@ Foam::scalarField Foam::heatNodes::fromFluid(const scalarField& T) const
                *(seen[o.cell] - values_[graini]);
         }
     }
+    return result;
+}
+
+
+Foam::scalarField Foam::heatNodes::fromOthers() const
+{
+    scalarField result(grains_.size(), Zero);
+    forOthers
+    (
+        [&](const label graini, const cellOverlap& o)
+        {
+            result[graini] +=
+                fluidCapacity_*toOthers_[o.index]
+               *(temperatureOfOthers_[o.index] - values_[graini]);
+        }
+    );
+    return result;
+}
+
+
+Foam::scalarField Foam::heatNodes::toOthersInCells() const
+{
+    scalarField result(grains_.mesh().nCells(), Zero);
+    forOthers
+    (
+        [&](const label graini, const cellOverlap& o)
+        {
+            result[o.cell] +=
+                fluidCapacity_*toOthers_[o.index]
+               *(values_[graini] - temperatureOfOthers_[o.index]);
+        }
+    );
     return result;
 }
 

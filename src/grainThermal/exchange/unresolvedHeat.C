@@ -29,10 +29,23 @@ Foam::unresolvedHeat::unresolvedHeat
 {}
 
 
+Foam::surroundings Foam::unresolvedHeat::ofFluid(const label celli) const
+{
+    return
+    {
+        fluid_.rho()[celli],
+        fluid_.mu()[celli],
+        conductor_.kappa()[celli],
+        conductor_.capacity(celli)
+    };
+}
+
+
 Foam::scalar Foam::unresolvedHeat::h
 (
     const label graini,
     const cellOverlap& o,
+    const surroundings& around,
     const scalar cellEps,
     const scalar cellSlip,
     const undisturbedFlow::correction& own
@@ -45,15 +58,12 @@ Foam::scalar Foam::unresolvedHeat::h
     const scalar slip =
         own.share*own.slip + (1 - own.share)*own.slipFactor*cellSlip;
     const scalar d = grains_.lawDiameter(graini);
-    const scalar mu = fluid_.mu()[o.cell];
-    const scalar k = conductor_.kappa()[o.cell];
-    const scalar rho = fluid_.rho()[o.cell];
-    const scalar Re = rho*slip*d/mu;
-    const scalar Pr = mu*conductor_.capacity(o.cell)/(rho*k);
+    const scalar Re = around.rho*slip*d/around.mu;
+    const scalar Pr = around.mu*around.capacity/(around.rho*around.kappa);
 
     const scalar Nu = law_->Nu(max(eps, law_->leastEps()), Re, Pr);
     return
-        law_->perVolume(Nu, k, d)
+        law_->perVolume(Nu, around.kappa, d)
        *selfInduced::heatFactor(Nu, Re*Pr, own.lone, d, own.length);
 }
 
@@ -87,6 +97,7 @@ void Foam::unresolvedHeat::add
 (
     const grainFluidExchange& exchange,
     const volVectorField& U,
+    const otherHeat* others,
     cellHeat& cells
 )
 {
@@ -104,6 +115,7 @@ void Foam::unresolvedHeat::add
     heatLaw::range used{1, 0};
     scalarField coefficient(V.size(), Zero);
     conductance_ = scalarField(overlaps.size(), Zero);
+    toOthers_.clear();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
         if (overlaps.of(graini).empty() || resolved.isResolved(graini))
@@ -123,16 +135,22 @@ void Foam::unresolvedHeat::add
                 eps[o.cell]*fluid_.rho()[o.cell]*slip
                *grains_.lawDiameter(graini)/fluid_.mu()[o.cell]
             );
+            const scalar cellEps = max(eps[o.cell], exchangeFields::epsMin);
+            const scalar share = others ? others->share(o.cell) : 0;
+            if (share > 0)
+            {
+                toOthers_.resize(overlaps.size(), 0);
+                toOthers_[o.index] =
+                    share*o.volume
+                   *h
+                    (
+                        graini, o, others->ofShare(), cellEps, slip,
+                        undisturbedFlow::correction()
+                    );
+            }
             conductance_[o.index] =
-                o.volume
-               *h
-                (
-                    graini,
-                    o,
-                    max(eps[o.cell], exchangeFields::epsMin),
-                    slip,
-                    own
-                );
+                (1 - share)*o.volume
+               *h(graini, o, ofFluid(o.cell), cellEps, slip, own);
             coefficient[o.cell] += conductance_[o.index]/V[o.cell];
         }
     }

@@ -152,6 +152,30 @@ void Foam::evaporation::follow()
 }
 
 
+Foam::scalar Foam::evaporation::share
+(
+    const label celli,
+    const point& centre,
+    const scalar size
+) const
+{
+    if (inCell_.empty() || inCell_[celli] < 0)
+    {
+        return 0;
+    }
+    if (cut_->cells().fluid()[celli] <= 0)
+    {
+        return 1;
+    }
+    const grainSystem& system = droplets_.system();
+    const label i = inCell_[celli];
+    const scalar above =
+        mag(cut_->cells().between(system.centres()[i], centre))
+      - system.motion().radius(i);
+    return min(max(0.5 - above/size, scalar(0)), scalar(1));
+}
+
+
 Foam::surroundings Foam::evaporation::ofShare() const
 {
     const liquid& l = droplets_.properties();

@@ -56,13 +56,15 @@ def main():
     table = grainplot.read_droplets(".")
     sheet(written[:6], table)
     lower, upper = (grainplot.of_droplet(table, n) for n in (0, 1))
-    # The last line is that of the droplet that both have become
-    upper = {name: column[:-1] for name, column in upper.items()}
+    # Both become the heavier one
+    merged = {name: column[-1] for name, column in table.items()}
+    meeting = min(lower["time"][-1], upper["time"][-1])
+    upper = {name: column[upper["time"] <= meeting][:-1] for name, column in upper.items()}
     d = 2 * upper["radius"][0]
     law = fall(upper["time"], d)
     warmed = heat(np.maximum(law, 1e-3), d) * THICKNESS
     # Heat is that of a step
-    rate = upper["fromFluid"] / np.gradient(upper["time"])
+    rate = (upper["fromFluid"] + upper["fromGrains"]) / np.gradient(upper["time"])
     fastest = np.argmin(upper["vy"])
     late = upper["time"] > upper["time"][-1] - 0.01
     figure, (speed, flux) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
@@ -75,12 +77,12 @@ def main():
     figure.savefig("snapshots/laws.png", dpi=110)
 
     came = lower["liquid"][0] + lower["vapour"][0] + upper["liquid"][0] + upper["vapour"][0]
-    left, vapour = lower["liquid"][-1], table["vapour"].sum()
+    left, vapour = merged["liquid"], table["vapour"].sum()
     lines = [
         "quantity,value,law",
         f"greatest speed [m/s],{-upper['vy'][fastest]:.4f},{law[fastest]:.4f}",
         f"heat, last 10 ms [mW],{1e3 * rate[late].mean():.3g},{1e3 * warmed[late].mean():.3g}",
-        f"radius at the end over the first,{2 * lower['radius'][-1] / d:.4f},{2**0.5:.4f}",
+        f"radius at the end over the first,{2 * merged['radius'] / d:.4f},{2**0.5:.4f}",
         f"water unaccounted for,{abs(came - left - vapour) / came:.1e},0",
     ]
     Path("results.csv").write_text("\n".join([*lines, ""]))

@@ -81,3 +81,22 @@ def test_grains_of_more_than_a_cell_are_refused(clone, cells):
     log = (case.path / "log.grainDropletFoam").read_text()
     for words in ("initialGrains", "allowed: less than 0.01", "surface locked"):
         assert words in log
+
+
+def test_outlets_are_refused(clone):
+    case = with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS)
+    entries = "outlets { above { type patches; patches (top); } }"
+    with_droplets(case, [(0.05, 0.05)], 0.022, entries=entries, surface="cutCells")
+    assert case.run("grainDropletFoam", check=False) == 1
+    log = (case.path / "log.grainDropletFoam").read_text()
+    assert "'surface'" in log and "allowed: locked, with 'outlets'" in log
+
+
+def test_a_droplet_that_reaches_beyond_the_mesh_stops_the_run(clone):
+    """Without walls the gas before it could not go away, and threw it back."""
+    case = with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    with_droplets(case, [(0.05, 0.0225)], 0.022, velocity=[(0, -0.5)], surface="cutCells")
+    control(case, endTime=0.05, writeInterval=1000)
+    assert case.run("grainDropletFoam", check=False) == 1
+    assert "they need 'walls'" in (case.path / "log.grainDropletFoam").read_text()

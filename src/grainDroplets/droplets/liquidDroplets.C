@@ -59,6 +59,13 @@ Foam::liquidDroplets::liquidDroplets
         system_.motion().countOf(motionDict_.subDict("initialDroplets"))
     )
 {
+    if (areCut_ && dict_.found("outlets"))
+    {
+        dictionaryInput::badValue
+        (
+            dict_, "surface", "cutCells", "locked, with 'outlets'"
+        );
+    }
     if (mesh.time().value() <= 0)
     {
         checkNew(0, "initialDroplets");

@@ -326,9 +326,6 @@ void Foam::cutCells::leavePatches()
 
 void Foam::cutCells::setConductance()
 {
-    // Nearer, two centroids are as good as a quarter of the cells' distance apart
-    constexpr scalar nearest = 0.25;
-
     const auto ratio = [&]
     (
         const scalar open,

@@ -145,6 +145,16 @@ void Foam::cutGrains::requireRound() const
         {
             refuse("grains that pass an opening");
         }
+        // What is closed of a patch is the patch's: fluid beside it could not go away
+        constexpr scalar most = 1e-3;
+        if
+        (
+            grains_.mappedVolume()[graini] > 0
+         && grains_.mappedVolume()[graini] < (1 - most)*grains_.volume(graini)
+        )
+        {
+            refuse("bodies that reach beyond the mesh: they need 'walls'");
+        }
     }
 }
 

@@ -33,6 +33,25 @@ Foam::scalar Foam::cutConduction::perConductivity(const cutCells::wall& x) const
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::cutConduction::toSurface
+(
+    const label patchi
+) const
+{
+    // Of a wedge the fluid is as near to the patch as it is
+    constexpr scalar nearest = 1e-4;
+
+    const fvPatch& patch = cells_.fluid().mesh().boundary()[patchi];
+    const scalarField way
+    (
+        1
+      - patch.deltaCoeffs()
+       *(patch.nf() & cells_.shift().boundaryField()[patchi].patchInternalField())
+    );
+    return max(way, cutCells::nearest)/max(way, nearest);
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::cutConduction::ratio
 (
     const volScalarField& x,
@@ -74,8 +93,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutConduction::ratio
         {
             atPatch =
                 givesTemperature(xPatch)
-              ? scalarField(atPatch.size(), 1)
-              : scalarField
+              ? toSurface(patchi)
+              : tmp<scalarField>
                 (
                     cells_.open().boundaryField()[patchi]
                    /max(cells_.conductance().boundaryField()[patchi], VSMALL)

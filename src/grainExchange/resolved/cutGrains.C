@@ -149,11 +149,12 @@ void Foam::cutGrains::requireRound() const
         constexpr scalar most = 1e-3;
         if
         (
-            grains_.mappedVolume()[graini] > 0
+            !grains_.motion().isFixed()
+         && grains_.mappedVolume()[graini] > 0
          && grains_.mappedVolume()[graini] < (1 - most)*grains_.volume(graini)
         )
         {
-            refuse("bodies that reach beyond the mesh: they need 'walls'");
+            refuse("bodies that move beyond the mesh: they need 'walls'");
         }
     }
 }

@@ -101,28 +101,6 @@ void Foam::evaporation::updateCut()
 }
 
 
-void Foam::evaporation::setHolder()
-{
-    holder_.resize(mesh_.nCells());
-    holder_ = -1;
-    if (!cut_)
-    {
-        forAll(holder_, celli)
-        {
-            holder_[celli] = term_.dropletOf(celli);
-        }
-        return;
-    }
-    for (const cutCells::wall& x : cut_->cells().walls())
-    {
-        if (cut_->cells().fluid()[x.cell] <= 0)
-        {
-            holder_[x.cell] = x.grain;
-        }
-    }
-}
-
-
 void Foam::evaporation::setInCell()
 {
     if (!cut_)
@@ -143,11 +121,23 @@ void Foam::evaporation::setInCell()
 }
 
 
+void Foam::evaporation::setHolder()
+{
+    holder_.resize(mesh_.nCells());
+    forAll(holder_, celli)
+    {
+        const bool hasGas = cut_ && cut_->cells().fluid()[celli] > 0;
+        holder_[celli] =
+            hasGas ? -1 : cut_ ? inCell_[celli] : term_.dropletOf(celli);
+    }
+}
+
+
 void Foam::evaporation::follow()
 {
     updateCut();
-    setHolder();
     setInCell();
+    setHolder();
     fromGrainsInCells_.clear();
 }
 

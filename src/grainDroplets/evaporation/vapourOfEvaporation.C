@@ -81,22 +81,9 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
     }
     const scalar perVolume = 1/droplets_.properties().vapourDensity;
     cellExchange cells{perVolume*entering_, perVolume*vapourShare_};
-    if (!saturated_)
+    if (!saturated_ && !cut_)
     {
-        surfaceScalarField D(steam.diffusivity(flux.fraction()));
-        if (cut_)
-        {
-            D = steam.diffusivity
-            (
-                max
-                (
-                    term_.amongSmall(exchange_.fields().fluidShare),
-                    transportFlux::least
-                )
-            );
-            D *= cut_->cells().conductance();
-        }
-        steam.carry(flux, D, cells);
+        steam.carry(flux, steam.diffusivity(flux.fraction()), cells);
         return;
     }
 
@@ -111,6 +98,13 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
             )
         )
     );
+    if (!saturated_)
+    {
+        D *= cut_->cells().conductance();
+        steam.carry(flux, D, cells);
+        return;
+    }
+
     const volScalarField& psi = steam.psi().field();
     const auto shareOf = [&](const label d)
     {

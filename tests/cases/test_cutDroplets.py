@@ -5,16 +5,17 @@
 import numpy as np
 import pytest
 from droplet_box import BOILING, GAS, GAS_RHO, droplet_table, make_gas, with_droplets
-from grain_box import DEPTH, control, grain_box, replace
-from heat_box import heat_ledger, with_heat
+from grain_box import DEPTH, control, grain_box, replace, tracks
+from heat_box import fix_grains, heat_ledger, with_heat
 from test_cutHeat import RADIUS, hot_gas, mean_and_jump, place_and_velocity
 from test_dropletsThrust import open_box, vapour_of_cells
 
 
-def across_gas(clone, moves):
+def across_gas(clone, moves, scheme):
     """Heat and force in the second half of three diameters of way, and their largest jumps."""
     place, velocity = place_and_velocity(moves)
     case = hot_gas(grain_box(clone, name=f"moves{moves}"), moves)
+    replace(case, "system/fvSchemes", "Euler;", scheme)
     kind = "free" if moves else "fixed"
     with_droplets(
         case,
@@ -32,11 +33,16 @@ def across_gas(clone, moves):
     return mean_and_jump(book["fromFluid"] + book["fromGrains"]), mean_and_jump(book["fx"])
 
 
-def test_a_droplet_that_moves_has_the_heat_and_force_of_one_in_a_stream(clone):
-    """Found 1.046 and 0.992 times, jumps of 0.05 and 0.06."""
-    held, moved = (across_gas(clone, moves) for moves in (False, True))
+@pytest.mark.parametrize(
+    "scheme, offHeat", [("Euler;", 0.06), ("backward; ddt(T) CrankNicolson;", 0.02)]
+)
+def test_a_droplet_that_moves_has_the_heat_and_force_of_one_in_a_stream(clone, scheme, offHeat):
+    """Found 1.046 and 0.992 times, jumps of 0.05 and 0.06 (Euler, which spreads what the droplet
+    takes along as a conductivity of rho c U^2 dt/2 does, here that of the gas), and 1.019 and 0.986
+    times, jumps of 0.07 and 0.10."""
+    held, moved = (across_gas(clone, moves, scheme) for moves in (False, True))
     (heat, heatJump), (force, forceJump) = moved
-    assert abs(heat / held[0][0] - 1) <= 0.06
+    assert abs(heat / held[0][0] - 1) <= offHeat
     assert abs(force / held[1][0] - 1) <= 0.02
     assert heatJump <= 0.08
     assert forceJump <= 0.1
@@ -81,6 +87,21 @@ def test_grains_of_more_than_a_cell_are_refused(clone, cells):
     log = (case.path / "log.grainDropletFoam").read_text()
     for words in ("initialGrains", "allowed: less than 0.01", "surface locked"):
         assert words in log
+
+
+def test_held_ones_beside_a_held_droplet_are_not(clone):
+    """Grains of 1.6 cells, one of them across the surface, in a stream; both give it their force."""
+    case = hot_gas(grain_box(clone, [(0.05, 0.025), (0.0455, 0.05)], 0.001), False)
+    fix_grains(case)
+    with_droplets(
+        case, [(0.0403, 0.0502)], RADIUS, entries="motion fixed;", latent=1e12, surface="cutCells"
+    )
+    control(case, endTime=3.75e-3, writeInterval=10)
+    case.run("grainDropletFoam")
+    book, forces = droplet_table(case), tracks(case)
+    assert np.isfinite(book["fx"]).all() and book["fx"][-1] > 0
+    assert forces[-2, 11] > 0
+    assert heat_ledger(case)["fluidError"].max() <= 1e-10
 
 
 def test_outlets_are_refused(clone):

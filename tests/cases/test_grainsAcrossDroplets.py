@@ -96,3 +96,45 @@ def test_heat_of_a_hot_grain_that_a_droplet_takes_in_closes(clone, cells, surfac
     assert book["leastT"].min() > BOILING - 1e-6
     assert book["mostT"].max() < BOILING + 230
     assert droplet_table(case)["fromGrains"].min() > -1e-12
+
+
+def lens(inside, outer, distance):
+    """Area common to two circles."""
+    if distance >= inside + outer:
+        return 0.0
+    if distance <= abs(outer - inside):
+        return np.pi * min(inside, outer) ** 2
+    part = 0.0
+    for a, b in ((inside, outer), (outer, inside)):
+        x = (distance**2 + a**2 - b**2) / (2 * distance)
+        part += a**2 * np.arccos(x / a) - x * np.sqrt(a**2 - x**2)
+    return part
+
+
+@pytest.mark.parametrize("cells", [0.3, 0.7, 1])
+def test_grains_are_in_the_liquid_where_they_are(clone, cells):
+    """Of 16 grains around a droplet that has just begun to move, what lies within its circle is
+    inside, and one that lies outside has no drag of a viscous liquid, though it shares its cell."""
+    size = cells * H
+    above = np.tile([-0.7, -0.5, -0.25, 0, 0.25, 0.5, 0.55, 0.7], 2)
+    angle = np.radians(11 + 22.5 * np.arange(16))
+    ray = np.column_stack([np.cos(angle), np.sin(angle)])
+    centres = PLACE + (RADIUS + above * size)[:, None] * ray
+    case = grain_box(clone, centres, size / 2)
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+    replace(case, "constant/g", "-9.81", "0")
+    case.run("blockMesh")
+    with_heat(case, T=BOILING, grains=BOILING, fluid=GAS)
+    make_gas(case)
+    open_top(case)
+    with_droplets(case, [PLACE], RADIUS, velocity=[(0, 0.2)], surface="cutCells")
+    replace(case, "constant/dropletProperties", "mu 2.8e-4", "mu 1")
+    control(case, endTime=1e-4, deltaT=1e-4, writeInterval=1000)
+    case.run("grainDropletFoam")
+    book = droplet_table(case)
+    radius = book["radius"][-1]
+    exact = [lens(size / 2, radius, RADIUS + z * size) for z in above]
+    np.testing.assert_allclose(book["inside"][-1], DEPTH * sum(exact), rtol=0.02)
+    speed = tracks(case)[:16, 6].reshape(2, 8).mean(0) / 0.2
+    assert np.all(np.abs(speed[above[:8] >= 0.5]) < 1e-3)
+    assert np.all(np.diff(speed[1:6]) < -0.01)

@@ -77,7 +77,7 @@ int main(int argc, char *argv[])
         if (droplets.change(fates))
         {
             boiling.follow(fates);
-            droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
+            droplets.swell(term.inside());
             exchange.setEps();
             carried.makeRoom();
         }
@@ -126,7 +126,7 @@ int main(int argc, char *argv[])
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
         droplets.move(force, torque, runTime.deltaTValue());
         const std::vector<bool> dried(droplets.shrink());
-        droplets.swell(1 - exchange.epsAmongGrains().primitiveField());
+        droplets.swell(term.inside());
         exchange.setEps();
         boiling.keepGrowth();
         exchange.discharge(fields.U, fields.fluxesOfFluid());

@@ -9,6 +9,7 @@
 #include "cellSizes.H"
 #include "combineOverRanks.H"
 #include "dictionaryInput.H"
+#include "grainsInDroplets.H"
 #include "grainSpace.H"
 #include "Pair.H"
 
@@ -72,7 +73,8 @@ Foam::liquidDroplets::liquidDroplets
     }
     // Masses are their own from now on, not that of their material
     lighten(scalarField(size(), Zero));
-    setInside(scalarField(mesh.nCells(), Zero));
+    inside_ = scalarField(size(), Zero);
+    setFilled();
 }
 
 
@@ -273,18 +275,11 @@ void Foam::liquidDroplets::setFilled()
 }
 
 
-void Foam::liquidDroplets::setInside(const scalarField& grains)
+void Foam::liquidDroplets::setInside(grainsInDroplets& grains)
 {
     setFilled();
-    inside_ = scalarField(size(), Zero);
-    for (label i = 0; i < size(); ++i)
-    {
-        for (const cellOverlap& o : system_.overlaps().of(i))
-        {
-            inside_[i] += o.volume*grains[o.cell];
-        }
-    }
-    sumOverRanks(inside_);
+    grains.find();
+    inside_ = grains.volume();
 }
 
 
@@ -394,7 +389,7 @@ void Foam::liquidDroplets::move
 }
 
 
-void Foam::liquidDroplets::swell(const scalarField& grains)
+void Foam::liquidDroplets::swell(grainsInDroplets& grains)
 {
     // Volumes V = V_l + V_in(V) by secants, of which the slope of V_in is that of
     // the last two

@@ -101,34 +101,15 @@ void Foam::evaporation::updateCut()
 }
 
 
-void Foam::evaporation::setInCell()
-{
-    if (!cut_)
-    {
-        return;
-    }
-    inCell_.resize(mesh_.nCells());
-    inCell_ = -1;
-    scalarField most(inCell_.size(), Zero);
-    for (const cutCells::wall& x : cut_->cells().walls())
-    {
-        if (x.share > most[x.cell])
-        {
-            most[x.cell] = x.share;
-            inCell_[x.cell] = x.grain;
-        }
-    }
-}
-
-
 void Foam::evaporation::setHolder()
 {
     holder_.resize(mesh_.nCells());
     forAll(holder_, celli)
     {
-        const bool hasGas = cut_ && cut_->cells().fluid()[celli] > 0;
         holder_[celli] =
-            hasGas ? -1 : cut_ ? inCell_[celli] : term_.dropletOf(celli);
+            !cut_ ? term_.dropletOf(celli)
+          : cut_->cells().fluid()[celli] > 0 ? -1
+          : term_.inside().dropletIn(celli);
     }
 }
 
@@ -136,33 +117,14 @@ void Foam::evaporation::setHolder()
 void Foam::evaporation::follow()
 {
     updateCut();
-    setInCell();
     setHolder();
     fromGrainsInCells_.clear();
 }
 
 
-Foam::scalar Foam::evaporation::share
-(
-    const label celli,
-    const point& centre,
-    const scalar size
-) const
+Foam::scalar Foam::evaporation::share(const cellOverlap& o) const
 {
-    if (inCell_.empty() || inCell_[celli] < 0)
-    {
-        return 0;
-    }
-    if (cut_->cells().fluid()[celli] <= 0)
-    {
-        return 1;
-    }
-    const grainSystem& system = droplets_.system();
-    const label i = inCell_[celli];
-    const scalar above =
-        mag(cut_->cells().between(system.centres()[i], centre))
-      - system.motion().radius(i);
-    return min(max(0.5 - above/size, scalar(0)), scalar(1));
+    return cut_ ? term_.inside().share(o) : 0;
 }
 
 
@@ -290,7 +252,7 @@ void Foam::evaporation::take(const volScalarField& T)
     {
         if (fromGrainsInCells_[celli] != 0)
         {
-            all[inCell_[celli]] += fromGrainsInCells_[celli];
+            all[term_.inside().dropletIn(celli)] += fromGrainsInCells_[celli];
         }
     }
     for (const dropletFace& f : inCells_)

@@ -31,10 +31,10 @@ void Foam::aroundGrains::update(const resolvedTerm& droplets)
     isLiquid_.resize(rho_.size());
     forAll(isLiquid_, celli)
     {
-        const scalar share =
-            droplets.isLiquid(celli) ? 1 : droplets.inLiquid(celli);
-        rhoWeight_[celli] += share*(liquid_.density - rhoWeight_[celli]);
-        isLiquid_[celli] = share >= 1;
+        isLiquid_[celli] = droplets.isLiquid(celli);
+        rhoWeight_[celli] +=
+            (isLiquid_[celli] ? 1 : droplets.inLiquid(celli))
+           *(liquid_.density - rhoWeight_[celli]);
         if (isLiquid_[celli])
         {
             rho_[celli] = liquid_.density;

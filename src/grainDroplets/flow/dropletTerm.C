@@ -15,6 +15,7 @@
 Foam::dropletTerm::dropletTerm
 (
     const liquidDroplets& droplets,
+    const grainSystem& grains,
     const thermalFluid& fluid
 )
 :
@@ -36,6 +37,7 @@ Foam::dropletTerm::dropletTerm
       ? static_cast<resolvedTerm*>(cut_)
       : new lockedGrains(droplets.system(), fluid, droplets.fewest())
     ),
+    inside_(grains, droplets),
     around_(fluid, droplets.properties()),
     thrust_(droplets)
 {}
@@ -72,7 +74,10 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
         );
     }
 
-    const scalar cells = cut_ ? 1 + 1e-6 : 4;
+    // Those that move would be thrown away where they fill cells at a cut surface
+    const bool areHeld =
+        grains.motion().isFixed() && droplets_.system().motion().isFixed();
+    const scalar cells = cut_ && !areHeld ? 1 + 1e-6 : 4;
     const scalar most = cells*gMin(cellSizes(grains.mesh()));
     for (label i = 0; i < grains.size(); ++i)
     {
@@ -85,7 +90,7 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
                 << "    allowed: less than " << most << ", " << label(cells)
                 << " times the size of the smallest cell, as "
                 << (
-                       cut_
+                       cells < 4
                      ? "it would fill cells at the surface of a droplet; or 'surface"
                        " locked' in constant/dropletProperties"
                      : "the flow is resolved around droplets and not around grains"
@@ -99,42 +104,28 @@ void Foam::dropletTerm::requireSmallGrains(const grainSystem& grains) const
 void Foam::dropletTerm::update()
 {
     bodies_->update();
-    setInCell();
     around_.update(*this);
 }
 
 
-void Foam::dropletTerm::setInCell()
+Foam::scalar Foam::dropletTerm::fluidBeside
+(
+    const label celli,
+    const scalar eps
+) const
 {
-    if (!cut_)
-    {
-        return;
-    }
-    const overlapList& overlaps = droplets_.system().overlaps();
-    inCell_.resize(droplets_.system().mesh().nCells());
-    inCell_ = -1;
-    scalarField most(inCell_.size(), Zero);
-    for (label i = 0; i < droplets_.size(); ++i)
-    {
-        if (!cut_->isResolved(i))
-        {
-            continue;
-        }
-        for (const cellOverlap& o : overlaps.of(i))
-        {
-            if (o.volume > most[o.cell])
-            {
-                most[o.cell] = o.volume;
-                inCell_[o.cell] = i;
-            }
-        }
-    }
+    const scalar filled = droplets_.filled(celli);
+    return
+        cut_
+      ? max(eps - filled + inside_.inCell(celli), scalar(0))
+      : eps*(1 - filled);
 }
 
 
 void Foam::dropletTerm::followGrains()
 {
     bodies_->followGrains();
+    inside_.find();
     around_.update(*this);
 }
 
@@ -178,14 +169,14 @@ Foam::vector Foam::dropletTerm::atCell
 
 Foam::vector Foam::dropletTerm::liquidVelocity(const label celli) const
 {
-    const label i = cut_ ? inCell_[celli] : dropletOf(celli);
+    const label i = cut_ ? inside_.dropletIn(celli) : dropletOf(celli);
     return atCell(droplets_.system().motion().motion(i), i, celli);
 }
 
 
 Foam::vector Foam::dropletTerm::velocityOfLiquid(const label celli) const
 {
-    const label i = inCell_[celli];
+    const label i = inside_.dropletIn(celli);
     return atCell(cut_->motionOf(i), i, celli);
 }
 

@@ -107,13 +107,14 @@ void Foam::grainFluidExchange::setEps()
         overfull_ += max(-room, scalar(0))*mesh_.V()[celli];
     }
     reduce(overfull_, sumOp<scalar>());
+    resolved_->followOverlaps();
     if (epsAmongGrains_)
     {
         *epsAmongGrains_ == eps_;
         epsAmongGrains_->correctBoundaryConditions();
         forAll(eps_, celli)
         {
-            eps_[celli] *= 1 - resolved_->filled(celli);
+            eps_[celli] = resolved_->fluidBeside(celli, eps_[celli]);
         }
     }
     eps_.correctBoundaryConditions();
@@ -156,7 +157,7 @@ void Foam::grainFluidExchange::setShares()
         for (const cellOverlap& o : overlaps.of(graini))
         {
             share[o.cell] -=
-                (1 - resolved_->inLiquid(o.cell))*o.volume/mesh_.V()[o.cell];
+                (1 - resolved_->inLiquid(o))*o.volume/mesh_.V()[o.cell];
         }
     }
 

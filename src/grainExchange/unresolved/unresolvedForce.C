@@ -103,7 +103,7 @@ void Foam::unresolvedTerm::addForceAtStart
             const scalar added = dragOfAddedMass(fluid_.rho()[o.cell]);
             const scalar gamma =
                 added + min(transfer_[o.index].gamma - added, mostGamma);
-            const scalar inLiquid = resolved.inLiquid(o.cell);
+            const scalar inLiquid = resolved.inLiquid(o);
             const scalar volume = (1 - inLiquid)*o.volume;
             force[graini] +=
                 weight_.force(o.volume, rho()[o.cell])
@@ -189,7 +189,7 @@ void Foam::unresolvedTerm::addForce
                 )
               : vector(Zero)
             );
-            const scalar inLiquid = resolved.inLiquid(o.cell);
+            const scalar inLiquid = resolved.inLiquid(o);
             vector f
             (
                 (1 - inLiquid)*o.volume

@@ -110,7 +110,7 @@ void Foam::unresolvedTerm::addInLiquid
 
     // The body has the cell's volume, and its liquid the reaction to buoyancy and to
     // its own acceleration (doc/theory, eq. 10.3)
-    const scalar w = resolved.inLiquid(o.cell)*o.volume/V;
+    const scalar w = resolved.inLiquid(o)*o.volume/V;
     const scalar accelerated = t.a*liquid.density/deltaT;
     fields.betaOfBodies[o.cell] += w*(t.a*t.gamma + accelerated);
     fields.bOfBodies[o.cell] +=
@@ -161,7 +161,7 @@ void Foam::unresolvedTerm::predict
         const volScalarField open("open", resolved.open());
         forAll(room, celli)
         {
-            room[celli] *= max(open[celli] + resolved.inLiquid(celli), SMALL);
+            room[celli] *= max(open[celli] + resolved.liquidIn(celli), SMALL);
         }
         inLiquid_.resize(overlaps.size());
     }
@@ -224,7 +224,7 @@ void Foam::unresolvedTerm::predict
                 fields.solid[o.cell] += w;
                 fields.solidFlux[o.cell] += w*motion.at(o.arm);
             }
-            const scalar inLiquid = resolved.inLiquid(o.cell);
+            const scalar inLiquid = resolved.inLiquid(o);
             if (inLiquid > 0)
             {
                 addInLiquid

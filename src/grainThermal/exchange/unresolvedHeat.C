@@ -136,20 +136,7 @@ void Foam::unresolvedHeat::add
                *grains_.lawDiameter(graini)/fluid_.mu()[o.cell]
             );
             const scalar cellEps = max(eps[o.cell], exchangeFields::epsMin);
-            const scalar share =
-                others
-              ? others->share
-                (
-                    o.cell,
-                    grains_.centres()[graini] + o.arm,
-                    grains_.fluidDiameter(graini)
-                   *pow
-                    (
-                        o.volume/grains_.volume(graini),
-                        1.0/grains_.mesh().nGeometricD()
-                    )
-                )
-              : 0;
+            const scalar share = others ? others->share(o) : 0;
             if (share > 0)
             {
                 toOthers_.resize(overlaps.size(), 0);

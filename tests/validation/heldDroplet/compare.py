@@ -3,10 +3,10 @@
 """A disc of liquid that is held in a stream of gas, on a mesh that is fitted to it and cut out of
 one that is not: force, heat and vapour flow (results.csv).
 
-Usage: compare.py [-bed] <cells in the diameter> [...] [-Re <number> ...]
+Usage: compare.py [-bed] [-cutCells] <cells in the diameter> [...] [-Re <number> ...]
 
 With -bed grains that are held fill half of the gas, from a tenth of the radius off the droplet to
-4 radii from its centre.
+4 radii from its centre.  With -cutCells the droplet leaves parts of cells open.
 """
 
 import shutil
@@ -164,7 +164,7 @@ def centroid(polygon):
     )
 
 
-def cut(Re, B, cells, bed, offset=(0.3, 0.1)):
+def cut(Re, B, cells, bed, surface="locked", offset=(0.3, 0.1)):
     """Beside the centre of cells."""
     case = case_of(f"cut_{Re}_{B:g}_{cells}" + "_bed" * bed)
     h = 2 * RADIUS / cells
@@ -173,7 +173,13 @@ def cut(Re, B, cells, bed, offset=(0.3, 0.1)):
     place = np.array(offset) * h
     latent, _, _, dt = set_up(case, Re, B, cells, False, bed, place)
     with_droplets(
-        case, [place], RADIUS, density=1e6 * DENSITY, latent=latent, entries="motion fixed;"
+        case,
+        [place],
+        RADIUS,
+        density=1e6 * DENSITY,
+        latent=latent,
+        entries="motion fixed;",
+        surface=surface,
     )
     case.run("grainDropletFoam", timeout=7200)
     book = droplet_table(case)
@@ -185,7 +191,8 @@ def cut(Re, B, cells, bed, offset=(0.3, 0.1)):
 def main(arguments):
     numbers = [1, 10, 30]
     bed = "-bed" in arguments
-    arguments = [a for a in arguments if a != "-bed"]
+    surface = "cutCells" if "-cutCells" in arguments else "locked"
+    arguments = [a for a in arguments if a not in ("-bed", "-cutCells")]
     if "-Re" in arguments:
         at = arguments.index("-Re")
         numbers = [int(a) for a in arguments[at + 1 :]]
@@ -195,7 +202,7 @@ def main(arguments):
             for Re in numbers:
                 for B in (0, BLOWING[Re]):
                     one = fitted(Re, B, cells, bed)
-                    other = cut(Re, B, cells, bed)
+                    other = cut(Re, B, cells, bed, surface)
                     ratios = [b / a for a, b in zip(one, other, strict=True)]
                     row = [cells, Re, B, int(bed), *one, *ratios]
                     line = ",".join(f"{value:.6g}" for value in row)

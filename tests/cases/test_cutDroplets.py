@@ -90,7 +90,7 @@ def test_grains_of_more_than_a_cell_are_refused(clone, cells):
 
 
 def test_held_ones_beside_a_held_droplet_are_not(clone):
-    """Grains of 1.6 cells, one of them across the surface, in a stream; both give it their force."""
+    """Grains of 1.6 cells, one of them across the surface, in a stream."""
     case = hot_gas(grain_box(clone, [(0.05, 0.025), (0.0455, 0.05)], 0.001), False)
     fix_grains(case)
     with_droplets(

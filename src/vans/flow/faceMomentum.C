@@ -81,15 +81,14 @@ tmp<surfaceScalarField> limiterBetweenFluids
 }
 
 
-//- The same beside boundaries as inside, but 0 where they give the velocity
-tmp<surfaceScalarField> limiterInside
+//- A limiter as it is, but 0 at boundaries that give the velocity
+tmp<surfaceScalarField> inside
 (
-    const surfaceScalarField& flux,
-    const surfaceScalarField& difference,
+    const surfaceScalarField& limiter,
     const volVectorField& U
 )
 {
-    tmp<surfaceScalarField> tresult(limiter(flux, difference));
+    tmp<surfaceScalarField> tresult(new surfaceScalarField(limiter));
     surfaceScalarField::Boundary& boundary = tresult.ref().boundaryFieldRef();
     forAll(boundary, patchi)
     {
@@ -146,7 +145,7 @@ tmp<surfaceScalarField> changeOfOldFlux
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
         return
-            limiterBetweenFluids(flux, difference, rho)
+            inside(limiterBetweenFluids(flux, difference, rho)(), U)
            *fvc::interpolate(leastInertia(step, rho)/(faces.A*deltaT))
            *difference/deltaT;
     }
@@ -160,7 +159,7 @@ tmp<surfaceScalarField> changeOfOldFlux
            *beyondCells(flux.oldTime(), U.oldTime().oldTime());
     }
     return
-        limiterInside(fvc::flux(U.oldTime()) + difference, difference, U)
+        inside(limiter(fvc::flux(U.oldTime()) + difference, difference)(), U)
        *change/deltaT;
 }
 

@@ -7,7 +7,6 @@
 
 #include "findRefCell.H"
 #include "fvc.H"
-#include "timeScheme.H"
 
 namespace
 {

@@ -141,6 +141,8 @@ void Foam::vansFlow::setMomentumEquation()
     const volScalarField& rho = fluid_.rho();
     volVectorField& U = fields_.U;
 
+    // As fvm::ddt has them, which makes the earlier value if there is none
+    weights_ = weightsInTime(mesh_, U.nOldTimes() > 1);
     UEqn_.reset
     (
         new fvVectorMatrix

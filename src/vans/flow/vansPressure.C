@@ -187,27 +187,49 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::solvePressure
 }
 
 
-void Foam::vansFlow::addForceOfWalls(surfaceScalarField& gradient) const
+bool Foam::vansFlow::accelerates(const label patchi) const
 {
-    if (!mesh_.moving())
+    if (mesh_.moving())
     {
-        return;
+        return isA<wallPolyPatch>(mesh_.boundaryMesh()[patchi]);
     }
+    return
+        fields_.U.boundaryField()[patchi].fixesValue()
+     && !fields_.p_rgh.boundaryField()[patchi].fixesValue();
+}
+
+
+void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
+{
     const scalar deltaT = mesh_.time().deltaTValue();
+    const surfaceScalarField& before = fields_.phiMomentum.oldTime();
+    const scalar now = weights_.before - weights_.earlier;
     forAll(mesh_.boundary(), patchi)
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        if (!isA<wallPolyPatch>(patch.patch()))
+        if (!accelerates(patchi))
         {
             continue;
         }
+        const fvPatch& patch = mesh_.boundary()[patchi];
         const fvPatchVectorField& oldU = fields_.U.oldTime().boundaryField()[patchi];
         const scalarField oldFlux
         (
-            isFirst_
+            isFirst_ && mesh_.moving()
           ? patch.Sf() & oldU.patchInternalField()
           : tmp<scalarField>(fields_.phiU.oldTime().boundaryField()[patchi])
         );
+        const scalarField& flux = fields_.phiU.boundaryField()[patchi];
+        scalarField change(weights_.before*(flux - oldFlux));
+        if (weights_.earlier > 0)
+        {
+            change -=
+                weights_.earlier
+               *(flux - before.oldTime().boundaryField()[patchi]);
+        }
+        if (patch.size() == 0 || max(mag(change)) == 0)
+        {
+            continue;
+        }
         const auto inCells = [&](const volScalarField& x)
         {
             return scalarField(x.boundaryField()[patchi].patchInternalField());
@@ -217,9 +239,9 @@ void Foam::vansFlow::addForceOfWalls(surfaceScalarField& gradient) const
             inertia
            /(
                 inCells(step_->alpha)*inCells(step_->share)
-              + inCells(grains_.K)*(inertia + inCells(grains_.beta))
+              + inCells(grains_.K)*(now*inertia + inCells(grains_.beta))
             )
-           *(fields_.phiU.boundaryField()[patchi] - oldFlux);
+           *change;
     }
 }
 
@@ -281,7 +303,7 @@ void Foam::vansFlow::correct(pimpleControl& control)
     (
         solvePressure(fluxWithoutPressure(H), control)
     );
-    addForceOfWalls(gradient.ref());
+    addForceOfGivenVelocity(gradient.ref());
     const volVectorField force(pressureForce(gradient()));
     gradP_ = force/step_->share;
 

@@ -51,6 +51,36 @@ void closeSurfaces(const label nDroplets, DynamicList<dropletFace>& faces)
     }
 }
 
+
+//- Droplet of each cell, -1 for gas
+volScalarField dropletOfCells(const dropletTerm& term, const fvMesh& mesh)
+{
+    volScalarField result
+    (
+        IOobject("dropletOfCell", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("none", dimless, -1)
+    );
+    forAll(result, celli)
+    {
+        result[celli] = term.dropletOf(celli);
+    }
+    result.correctBoundaryConditions();
+    return result;
+}
+
+
+//- Flow through a face of area S of a gradient along n, over what it is with the whole
+//  difference of the cells, d apart, along the normal of the face; 1 where S is along d
+scalar alongNormal(const vector& n, const vector& S, const vector& d)
+{
+    constexpr scalar least = 0.1;
+    const vector across(S/mag(S)), between(d/mag(d));
+    return
+        max(mag(across & n), least)*mag(between & across)
+       /max(mag(between & n), least);
+}
+
 }
 
 
@@ -61,53 +91,48 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
 )
 {
     const fvMesh& mesh = conductivity.mesh();
-    volScalarField droplet
-    (
-        IOobject("dropletOfCell", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("none", dimless, -1)
-    );
-    forAll(droplet, celli)
-    {
-        droplet[celli] = term.dropletOf(celli);
-    }
-    droplet.correctBoundaryConditions();
+    const volScalarField dropletOf(dropletOfCells(term, mesh));
 
     const surfaceScalarField conductance
     (
         term.conductance()*mesh.magSf()*mesh.nonOrthDeltaCoeffs()
     );
+    const surfaceVectorField delta(mesh.delta());
 
     DynamicList<dropletFace> result;
     const auto add = [&]
     (
         const label cell,
-        const label d,
+        const label droplet,
         const vector& S,
+        const vector& d,
         const scalar conductanceOfFace,
         const scalar conductivityOfFace
     )
     {
-        const vector n(term.normal(cell, d));
+        const vector n(term.normal(cell, droplet));
         const scalar area = max(mag(S & n), 0.1*mag(S));
-        result.append({cell, d, n, area, conductanceOfFace, conductivityOfFace});
+        result.append
+        ({
+            cell, droplet, n, area, conductanceOfFace*alongNormal(n, S, d), conductivityOfFace
+        });
     };
     forAll(mesh.neighbour(), facei)
     {
         const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
-        if ((droplet[P] < 0) != (droplet[N] < 0))
+        if ((dropletOf[P] < 0) != (dropletOf[N] < 0))
         {
-            const bool isOwner = droplet[P] < 0;
+            const bool isOwner = dropletOf[P] < 0;
             add
             (
-                isOwner ? P : N, label(droplet[isOwner ? N : P]), mesh.Sf()[facei],
-                conductance[facei], conductivity[facei]
+                isOwner ? P : N, label(dropletOf[isOwner ? N : P]), mesh.Sf()[facei],
+                delta[facei], conductance[facei], conductivity[facei]
             );
         }
     }
     forAll(mesh.boundary(), patchi)
     {
-        const fvPatchScalarField& d = droplet.boundaryField()[patchi];
+        const fvPatchScalarField& d = dropletOf.boundaryField()[patchi];
         if (!d.coupled())
         {
             continue;
@@ -121,6 +146,7 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
                 add
                 (
                     d.patch().faceCells()[i], label(neighbour[i]), d.patch().Sf()[i],
+                    delta.boundaryField()[patchi][i],
                     conductance.boundaryField()[patchi][i],
                     conductivity.boundaryField()[patchi][i]
                 );
@@ -129,6 +155,42 @@ Foam::List<Foam::dropletFace> Foam::dropletFace::list
     }
     closeSurfaces(term.nDroplets(), result);
     return List<dropletFace>(std::move(result));
+}
+
+
+void Foam::dropletFace::shut
+(
+    const dropletTerm& term,
+    surfaceScalarField& conductivity
+)
+{
+    const fvMesh& mesh = conductivity.mesh();
+    const volScalarField dropletOf(dropletOfCells(term, mesh));
+    forAll(mesh.neighbour(), facei)
+    {
+        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
+        if ((dropletOf[P] < 0) != (dropletOf[N] < 0))
+        {
+            conductivity[facei] = 0;
+        }
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatchScalarField& d = dropletOf.boundaryField()[patchi];
+        if (!d.coupled())
+        {
+            continue;
+        }
+        const scalarField own(d.patchInternalField());
+        const scalarField neighbour(d.patchNeighbourField());
+        forAll(d, i)
+        {
+            if ((own[i] < 0) != (neighbour[i] < 0))
+            {
+                conductivity.boundaryFieldRef()[patchi][i] = 0;
+            }
+        }
+    }
 }
 
 

@@ -149,6 +149,7 @@ Foam::List<Foam::dropletFace> Foam::evaporation::surfaces() const
 
 void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
 {
+    faces_.clear();
     inCells_.clear();
     if (cut_)
     {
@@ -160,6 +161,7 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
     {
         faces_ = dropletFace::list(term_, cells.conductivity);
         conductThrough(cells.conductivity);
+        dropletFace::shut(term_, cells.conductivity);
     }
     hold_ = holding(gas_.capacity(), cells.conductivity);
 
@@ -177,12 +179,15 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
             }
         }
     }
-    for (const dropletFace& f : inCells_)
+    for (const List<dropletFace>& faces : {faces_, List<dropletFace>(inCells_)})
     {
-        cells.add
-        (
-            f.cell, f.coefficient(mesh_.V()[f.cell]), temperature(f.droplet)
-        );
+        for (const dropletFace& f : faces)
+        {
+            cells.add
+            (
+                f.cell, f.coefficient(mesh_.V()[f.cell]), temperature(f.droplet)
+            );
+        }
     }
 
     const scalar C = gas_.capacity()/droplets_.properties().vapourDensity;
@@ -243,8 +248,9 @@ void Foam::evaporation::take(const volScalarField& T)
         for (const dropletFace& f : faces)
         {
             const scalar perDegree = deltaT*f.conductance*f.conductivity;
-            fromFluid_[f.droplet] +=
-                perDegree*(T[f.cell] - temperature(f.droplet));
+            const scalar heat = perDegree*(T[f.cell] - temperature(f.droplet));
+            all[f.droplet] += heat;
+            fromFluid_[f.droplet] += heat;
             stiffness_[f.droplet] += perDegree;
         }
     }
@@ -254,12 +260,6 @@ void Foam::evaporation::take(const volScalarField& T)
         {
             all[term_.inside().dropletIn(celli)] += fromGrainsInCells_[celli];
         }
-    }
-    for (const dropletFace& f : inCells_)
-    {
-        all[f.droplet] +=
-            deltaT*f.conductance*f.conductivity
-           *(T[f.cell] - temperature(f.droplet));
     }
     sumOverRanks(all);
     sumOverRanks(fromFluid_);

@@ -120,6 +120,7 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
         thinFilms(D);
         faces = dropletFace::list(term_, D);
         D *= term_.conductance();
+        dropletFace::shut(term_, D);
     }
     const scalar hold = holding(1, D);
 
@@ -139,9 +140,15 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
         const scalar share = shareOf(f.droplet);
         f.conductivity =
             steam.D()*saturatedSurface::diffusing(share, psi[f.cell]);
-        const scalar h = f.coefficient(mesh_.V()[f.cell]);
-        cells.coefficient[f.cell] += h;
-        cells.given[f.cell] += h*share;
+    }
+    for (const List<dropletFace>& all : {faces, inCells})
+    {
+        for (const dropletFace& f : all)
+        {
+            const scalar h = f.coefficient(mesh_.V()[f.cell]);
+            cells.coefficient[f.cell] += h;
+            cells.given[f.cell] += h*shareOf(f.droplet);
+        }
     }
 
     steam.carry(flux, D, cells);
@@ -160,12 +167,6 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
                 perShare*mesh_.V()[celli]*hold*(shareOf(d) - psi[celli]);
         }
     }
-    for (const dropletFace& f : inCells)
-    {
-        diffused[f.droplet] +=
-            perShare*f.conductance*f.conductivity
-           *(shareOf(f.droplet) - psi[f.cell]);
-    }
     for (const List<dropletFace>& all : {faces, inCells})
     {
         for (const dropletFace& f : all)
@@ -173,7 +174,9 @@ void Foam::evaporation::carry(vapour& steam, const transportFlux& flux)
             const scalar share = shareOf(f.droplet);
             const scalar flow = saturatedSurface::flow(share, psi[f.cell]);
             const scalar perDroplet = perShare*f.conductance*f.conductivity;
-            through[f.droplet] += perDroplet*(share - psi[f.cell])*flow;
+            const scalar diffusing = perDroplet*(share - psi[f.cell]);
+            diffused[f.droplet] += diffusing;
+            through[f.droplet] += diffusing*flow;
             vapourStiffness_[f.droplet] += perDroplet*flow;
         }
     }

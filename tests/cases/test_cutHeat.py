@@ -74,7 +74,7 @@ def hot_gas(case, moves):
 
 def mean_and_jump(values):
     """Of the second half, and the largest jump from step to step over it."""
-    later = values[STEPS // 2 :]
+    later = values[len(values) // 2 :]
     return later.mean(), np.abs(np.diff(later)).max() / abs(later.mean())
 
 

@@ -33,9 +33,7 @@ Foam::evaporation::evaporation
         )
      == "local"
     ),
-    waitingFromFluid_(state("dropletHeatFromFluid")),
-    waitingFromGrains_(state("dropletHeatFromGrains")),
-    waitingTime_(state("dropletHeatTime")),
+    waiting_(droplets.size(), [this](const word& name) { return state(name); }),
     growth_(state("dropletGrowth")),
     fromFluid_(droplets.size(), Zero),
     fromGrains_(droplets.size(), Zero),
@@ -53,9 +51,6 @@ Foam::evaporation::evaporation
     cut_(droplets.areCut() ? new cutConduction(droplets.system()) : nullptr),
     taken_(0)
 {
-    waitingFromFluid_.resize(droplets.size(), 0);
-    waitingFromGrains_.resize(droplets.size(), 0);
-    waitingTime_.resize(droplets.size(), 0);
     growth_.resize(droplets.size(), 0);
     if (droplets.dict().found("saturation"))
     {
@@ -120,9 +115,7 @@ Foam::IOobject Foam::evaporation::state(const word& name) const
 
 void Foam::evaporation::remove(const std::vector<bool>& gone)
 {
-    keepUnmarked(waitingFromFluid_, gone);
-    keepUnmarked(waitingFromGrains_, gone);
-    keepUnmarked(waitingTime_, gone);
+    waiting_.remove(gone);
     keepUnmarked(growth_, gone);
     if (saturated_)
     {
@@ -161,39 +154,17 @@ void Foam::evaporation::clearStep()
 
 void Foam::evaporation::follow(const List<liquidDroplets::fate>& fates)
 {
-    const auto gather = [&](IOField<scalar>& field)
-    {
-        scalarField all(droplets_.size(), Zero);
-        forAll(fates, i)
-        {
-            all[fates[i].now] += field[i];
-        }
-        field = all;
-    };
-    gather(waitingFromFluid_);
-    gather(waitingFromGrains_);
-    scalarField time(droplets_.size(), Zero);
-    forAll(fates, i)
-    {
-        scalar& longest = time[fates[i].now];
-        longest = max(longest, waitingTime_[i]);
-    }
-    waitingTime_ = time;
-    gather(growth_);
+    waiting_.follow(fates, droplets_.size());
+    scalarField growth(droplets_.size(), Zero);
     forAll(fates, i)
     {
         // Of those that merge, none is known
-        growth_[fates[i].now] *= fates[i].share < 1 ? 0 : 1;
+        growth[fates[i].now] = fates[i].share < 1 ? 0 : growth_[i];
     }
+    growth_ = growth;
     if (saturated_)
     {
         saturated_->follow(fates, droplets_.size());
     }
     clearStep();
-}
-
-
-Foam::scalar Foam::evaporation::waiting() const
-{
-    return sum(waitingFromFluid_) + sum(waitingFromGrains_);
 }

@@ -230,6 +230,7 @@ void Foam::evaporation::take(const volScalarField& T)
     const scalar C = gas_.capacity()/droplets_.properties().vapourDensity;
 
     scalarField all(droplets_.size(), Zero);
+    vectorField sides(droplets_.size(), Zero);
     fromFluid_ = Zero;
     stiffness_ = Zero;
     taken_ = 0;
@@ -251,6 +252,7 @@ void Foam::evaporation::take(const volScalarField& T)
             const scalar heat = perDegree*(T[f.cell] - temperature(f.droplet));
             all[f.droplet] += heat;
             fromFluid_[f.droplet] += heat;
+            sides[f.droplet] += heat*f.normal;
             stiffness_[f.droplet] += perDegree;
         }
     }
@@ -263,16 +265,12 @@ void Foam::evaporation::take(const volScalarField& T)
     }
     sumOverRanks(all);
     sumOverRanks(fromFluid_);
+    sumOverRanks(sides);
     sumOverRanks(stiffness_);
     fromGrains_ = all - fromFluid_;
     reduce(taken_, sumOp<scalar>());
     taken_ += sum(all);
     takeFromCondensing(T);
 
-    waitingFromFluid_ += fromFluid_;
-    waitingFromGrains_ += fromGrains_;
-    for (scalar& time : waitingTime_)
-    {
-        time += deltaT;
-    }
+    waiting_.add(fromFluid_, fromGrains_, sides, deltaT);
 }

@@ -46,26 +46,117 @@ Foam::scalarField Foam::evaporation::shares
     forAll(faces, i)
     {
         const label d = faces[i].droplet;
-        const scalar byFluid = max(waitingFromFluid_[d], scalar(0));
-        const scalar byGrains = max(waitingFromGrains_[d], scalar(0));
         scalar local = 0;
         if (isLocal_ && allDrive[d] > 0)
         {
-            local = saturated_ ? 1 : byFluid/max(byFluid + byGrains, VSMALL);
+            local = saturated_ ? 1 : waiting_.partOfFluid(d);
         }
         result[i] =
             local*drive[i]/max(allDrive[d], VSMALL)
           + (1 - local)*faces[i].area/allArea[d];
     }
+    if (cut_ && isLocal_ && !saturated_)
+    {
+        turn(faces, result);
+    }
     return result;
 }
 
 
-Foam::scalar Foam::evaporation::evaporate(const label i)
+void Foam::evaporation::turn
+(
+    const List<dropletFace>& faces,
+    scalarField& shares
+) const
+{
+    symmTensorField products(droplets_.size(), Zero);
+    vectorField missing(droplets_.size(), Zero);
+    forAll(faces, i)
+    {
+        const dropletFace& f = faces[i];
+        products[f.droplet] += f.area*sqr(f.normal);
+        missing[f.droplet] -= shares[i]*f.normal;
+    }
+    sumOverRanks(products);
+    sumOverRanks(missing);
+
+    forAll(missing, d)
+    {
+        missing[d] += waiting_.partOfFluid(d)*waiting_.side(d);
+        for (direction way = 0; way < vector::nComponents; ++way)
+        {
+            if (mesh_.geometricD()[way] < 0)
+            {
+                products[d] += tr(products[d])*sqr(vector(way == 0, way == 1, way == 2));
+                missing[d][way] = 0;
+            }
+        }
+        missing[d] =
+            det(products[d]) > 1e-6*pow3(tr(products[d]))
+          ? inv(products[d]) & missing[d]
+          : vector(Zero);
+    }
+
+    scalarField all(droplets_.size(), Zero);
+    forAll(faces, i)
+    {
+        const dropletFace& f = faces[i];
+        shares[i] =
+            max(shares[i] + f.area*(missing[f.droplet] & f.normal), scalar(0));
+        all[f.droplet] += shares[i];
+    }
+    sumOverRanks(all);
+    forAll(faces, i)
+    {
+        shares[i] /= all[faces[i].droplet];
+    }
+}
+
+
+Foam::scalarField Foam::evaporation::leastTime
+(
+    const List<dropletFace>& faces
+) const
+{
+    scalarField result(droplets_.size(), Zero);
+    if (!cut_)
+    {
+        return result;
+    }
+    scalarField conductivity(droplets_.size(), Zero);
+    scalarField area(droplets_.size(), Zero);
+    for (const dropletFace& f : faces)
+    {
+        conductivity[f.droplet] += f.area*f.conductivity;
+        area[f.droplet] += f.area;
+    }
+    sumOverRanks(conductivity);
+    sumOverRanks(area);
+    forAll(result, d)
+    {
+        if (area[d] > 0)
+        {
+            const scalar h = droplets_.cellSize(d);
+            const scalar diffusivity =
+                conductivity[d]/(area[d]*gas_.capacity());
+            const scalar Pe =
+                mag(droplets_.system().motion().velocity(d))*h/diffusivity;
+            result[d] = 2*sqr(h)/diffusivity*Pe/(1 + sqr(Pe));
+        }
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::evaporation::evaporate
+(
+    const label i,
+    const scalar leastTime
+)
 {
     const scalar latent = droplets_.properties().latentHeat;
     const scalar mass = droplets_.mass(i);
-    scalar heat = waitingFromFluid_[i] + waitingFromGrains_[i];
+    scalar heat = waiting_.of(i);
     scalar diffused = 0;
     scalar& lost = lost_[i];
     scalar& flow = flow_[i];
@@ -83,16 +174,12 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
             i, mass0, mass, stiffness_[i] + latent*vapourStiffness_[i], heat
         );
         flow += lost - mass0;
-        waitingFromFluid_[i] = heat;
-        waitingFromGrains_[i] = 0;
+        waiting_.set(i, heat);
     }
     else
     {
-        // As fast as the heat has come, however short this step is
-        const scalar deltaT = mesh_.time().deltaTValue();
-        const scalar part = min(deltaT/max(waitingTime_[i], VSMALL), scalar(1));
-        waitingTime_[i] *= heat > 0 ? 1 - part : 0;
-        lost = part*max(heat, scalar(0))/latent;
+        lost =
+            waiting_.due(i, mesh_.time().deltaTValue(), leastTime)/latent;
         flow = lost;
         warnIfInDebt(-heat, latent*mass);
     }
@@ -105,9 +192,7 @@ Foam::scalar Foam::evaporation::evaporate(const label i)
     }
     if (!saturated_ && lost > 0)
     {
-        const scalar left = 1 - lost*latent/heat;
-        waitingFromFluid_[i] *= left;
-        waitingFromGrains_[i] *= left;
+        waiting_.keep(i, 1 - lost*latent/heat);
     }
     // Vapour that condenses has the share that it has in the gas
     const scalar share =
@@ -184,6 +269,7 @@ void Foam::evaporation::startStep(const volScalarField& T)
     }
     sumOverRanks(isThere);
     const scalarField share(shares(faces, T));
+    const scalarField least(leastTime(faces));
 
     scalarField carried(lost_.size(), Zero);
     forAll(lost_, i)
@@ -193,7 +279,7 @@ void Foam::evaporation::startStep(const volScalarField& T)
         notCarried_[i] = 0;
         if (isThere[i] > 0 || droplets_.isSmall(i))
         {
-            carried[i] = evaporate(i);
+            carried[i] = evaporate(i, least[i]);
         }
     }
     warnIfShut();

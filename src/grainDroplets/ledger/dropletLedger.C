@@ -56,7 +56,7 @@ void Foam::dropletLedger::endStep(const vectorField& force)
         (
             "droplets", "droplets.csv",
             "time,droplet,x,y,z,vx,vy,vz,radius,temperature,liquid,inside,fromFluid,"
-            "fromGrains,vapour,diffused,fx,fy,fz,tx,ty,tz,weight,volumeError"
+            "fromGrains,waiting,vapour,diffused,fx,fy,fz,tx,ty,tz,weight,volumeError"
         );
     }
     const char c = ',';
@@ -72,7 +72,8 @@ void Foam::dropletLedger::endStep(const vectorField& force)
             << c << motion.radius(i) << c << vapour_.temperature(i)
             << c << droplets_.mass(i)
             << c << droplets_.inside(i) << c << vapour_.fromFluid()[i]
-            << c << vapour_.fromGrains()[i] << c << vapour_.lost()[i]
+            << c << vapour_.fromGrains()[i] << c << vapour_.waiting(i)
+            << c << vapour_.lost()[i]
             << c << vapour_.diffused(i)
             << c << force[i].x() << c << force[i].y() << c << force[i].z()
             << c << thrust.x() << c << thrust.y() << c << thrust.z()

@@ -38,16 +38,26 @@ Description
 #include "twoFluidControls.H"
 #include "twoFluids.H"
 
+// Grains, and the bodies of walls that move, where they are
+template<int D>
+struct grainsAndWalls
+{
+    nscd::Grains<D> grains;
+    std::vector<nscd::WallBody<D>> bodies;
+    bool areOfState;
+};
+
+
 // The state at the start time or the initial grains
 template<int D>
-nscd::Grains<D> readGrains(const grainProperties<D>& properties)
+grainsAndWalls<D> readState(const grainProperties<D>& properties)
 {
     const Time& runTime = properties.space().mesh().time();
     const fileName state(grainStateFile(runTime));
     if (!continuesFromState(runTime))
     {
         Info<< "Initial grains of constant/grainProperties" << nl;
-        return properties.initialGrains();
+        return {properties.initialGrains(), properties.walls().bodies(), false};
     }
 
     nscd::ContactDynamics<D> dynamics
@@ -56,9 +66,10 @@ nscd::Grains<D> readGrains(const grainProperties<D>& properties)
         properties.materials().contactTable(), properties.contact(),
         MPI_COMM_WORLD, properties.walls().bodies()
     );
+    dynamics.setWallNames(properties.walls().names());
     dynamics.load(state);
     Info<< "Grains of " << state << nl;
-    return dynamics.grains();
+    return {dynamics.grains(), dynamics.wallBodies(), true};
 }
 
 
@@ -119,17 +130,23 @@ bool check(const fvMesh& mesh, const dictionary& transport)
     (
         mesh, meshObjects::gravity::New(mesh.time()).value()
     );
-    const nscd::Grains<D> grains(readGrains(properties));
+    grainsAndWalls<D> state(readState(properties));
+    nscd::Grains<D>& grains = state.grains;
+    grainChecks<D>(properties, grains).requireTolerance();
+    for (nscd::Vector<D>& x : grains.position)
+    {
+        x = properties.wrapped(x);
+    }
 
-    printWalls(properties.walls());
+    printWalls(properties, state.bodies);
     if (!properties.areFixed())
     {
         refuseMirrors(properties.dict(), mesh);
     }
     printPassablePatches(properties.dict(), mesh);
     printPacking(properties, grains);
-    grainChecks<D>(properties, grains).requireTolerance();
-    const bool good = printFaults(properties, grains);
+    const bool good =
+        printFaults(properties, grains, state.bodies, state.areOfState);
 
     if
     (

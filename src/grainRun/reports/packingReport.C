@@ -6,6 +6,7 @@
 #include "packingReport.H"
 
 #include "grainChecks.H"
+#include "nscd/walls/WallMotion.hpp"
 #include "volFields.H"
 
 #include <cmath>
@@ -108,19 +109,78 @@ void checkMassRatio(const grainProperties<D>& properties, const nscd::Grains<D>&
     }
 }
 
+void addCorners(const nscd::Segment& wall, nscd::Vectors<2>& corners)
+{
+    corners.insert(corners.end(), {wall.a, wall.b});
+}
+
+
+void addCorners
+(
+    const std::variant<nscd::Plane, nscd::Triangle>& wall,
+    nscd::Vectors<3>& corners
+)
+{
+    if (const nscd::Triangle* t = std::get_if<nscd::Triangle>(&wall))
+    {
+        corners.insert(corners.end(), {t->a, t->b, t->c});
+    }
+}
+
+
+//- Of each entry of 'walls'; inverted for a plane, which has no end
+template<int D>
+std::vector<boundBox> boundsOfEntries
+(
+    const grainProperties<D>& properties,
+    const std::vector<nscd::WallBody<D>>& bodies
+)
+{
+    const grainWalls<D>& walls = properties.walls();
+    std::vector<boundBox> bounds;
+    for (const wallExtent& wall : walls.extents())
+    {
+        bounds.push_back(wall.body < 0 ? wall.bounds : boundBox());
+    }
+    const auto moved = nscd::rigidMotions(walls.bodies(), bodies);
+    for (std::size_t i = 0; i < walls.walls().size(); ++i)
+    {
+        const int body = nscd::bodyOf(walls.walls()[i]);
+        nscd::Vectors<D> corners;
+        if (body >= 0)
+        {
+            addCorners(walls.walls()[i], corners);
+        }
+        for (const nscd::Vector<D>& corner : corners)
+        {
+            bounds[walls.entry()[label(i)]].add
+            (
+                properties.space().positionInSpace(moved[body](corner))
+            );
+        }
+    }
+    return bounds;
+}
+
 } // End namespace Foam
 
 
 template<int D>
-void Foam::printWalls(const grainWalls<D>& walls)
+void Foam::printWalls
+(
+    const grainProperties<D>& properties,
+    const std::vector<nscd::WallBody<D>>& bodies
+)
 {
-    for (const wallExtent& wall : walls.extents())
+    const std::vector<boundBox> bounds(boundsOfEntries(properties, bodies));
+    for (std::size_t i = 0; i < bounds.size(); ++i)
     {
+        const wallExtent& wall = properties.walls().extents()[i];
         Info<< "Wall " << wall.name << ": ";
-        if (wall.bounds.valid())
+        if (bounds[i].valid())
         {
             Info<< wall.nPieces << (D == 2 ? " segments" : " faces") << " from "
-                << wall.bounds.min() << " to " << wall.bounds.max() << nl;
+                << bounds[i].min() << " to " << bounds[i].max() << nl;
         }
         else
         {
@@ -134,13 +194,15 @@ template<int D>
 bool Foam::printFaults
 (
     const grainProperties<D>& properties,
-    const nscd::Grains<D>& grains
+    const nscd::Grains<D>& grains,
+    const std::vector<nscd::WallBody<D>>& bodies,
+    const bool areOfState
 )
 {
     const grainChecks<D> checks(properties, grains);
     const labelList outside(checks.outside());
-    const auto overlaps(checks.overlaps(1e-9));
-    const auto refused(checks.overlaps(properties.allowedOverlap()));
+    const auto overlaps(checks.overlaps(1e-9, bodies));
+    const auto refused(checks.overlaps(properties.allowedOverlap(), bodies));
 
     scalar worst = 0;
     for (const auto& o : overlaps)
@@ -160,7 +222,7 @@ bool Foam::printFaults
         << label(refused.size()) << endl;
     checkMassRatio(properties, grains);
 
-    return outside.empty() && refused.empty();
+    return (areOfState || outside.empty()) && refused.empty();
 }
 
 
@@ -174,11 +236,23 @@ template void Foam::printPacking
 );
 template bool Foam::printFaults
 (
-    const grainProperties<2>&, const nscd::Grains<2>&
+    const grainProperties<2>&,
+    const nscd::Grains<2>&,
+    const std::vector<nscd::WallBody<2>>&,
+    const bool
 );
 template bool Foam::printFaults
 (
-    const grainProperties<3>&, const nscd::Grains<3>&
+    const grainProperties<3>&,
+    const nscd::Grains<3>&,
+    const std::vector<nscd::WallBody<3>>&,
+    const bool
 );
-template void Foam::printWalls(const grainWalls<2>&);
-template void Foam::printWalls(const grainWalls<3>&);
+template void Foam::printWalls
+(
+    const grainProperties<2>&, const std::vector<nscd::WallBody<2>>&
+);
+template void Foam::printWalls
+(
+    const grainProperties<3>&, const std::vector<nscd::WallBody<3>>&
+);

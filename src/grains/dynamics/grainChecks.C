@@ -96,7 +96,8 @@ Foam::labelList Foam::grainChecks<D>::outside() const
 template<int D>
 std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overlaps
 (
-    const scalar fraction
+    const scalar fraction,
+    const std::vector<nscd::WallBody<D>>& bodies
 ) const
 {
     std::vector<overlap> result;
@@ -126,7 +127,8 @@ std::vector<typename Foam::grainChecks<D>::overlap> Foam::grainChecks<D>::overla
         y = moved(y, std::floor);
     }
     const nscd::Neighbours<D> neighbours(inBox, r, 0, period);
-    const nscd::WallContact<D> walls(properties_.walls().walls(), period);
+    nscd::WallContact<D> walls(properties_.walls().walls(), period);
+    walls.place(properties_.walls().bodies(), bodies);
 
     for (label a = 0; a < label(r.size()); ++a)
     {
@@ -285,7 +287,7 @@ template<int D>
 void Foam::grainChecks<D>::requireNoOverlap() const
 {
     const scalar fraction = properties_.allowedOverlap();
-    const std::vector<overlap> found(overlaps(fraction));
+    const std::vector<overlap> found(overlaps(fraction, properties_.walls().bodies()));
     if (found.size())
     {
         const overlap& o = found.front();

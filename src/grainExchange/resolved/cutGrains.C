@@ -255,6 +255,8 @@ void Foam::cutGrains::update()
     moving_.clear();
     pressure_.resize(mesh_.nCells());
     pressure_ = Zero;
+    given_.resize(mesh_.nCells());
+    given_ = Zero;
 
     const List<cutCells::wall>& walls = cells_.walls();
     const scalarField& open = cells_.fluid();

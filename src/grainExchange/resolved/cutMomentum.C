@@ -57,6 +57,25 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cutGrains::fluxInOpen
 }
 
 
+void Foam::cutGrains::shareSources(fvVectorMatrix& sources)
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const vectorField& U = sources.psi().primitiveField();
+    const scalarField& open = cells_.fluid();
+    forAll(given_, celli)
+    {
+        scalar& diagonal = sources.diag()[celli];
+        vector& source = sources.source()[celli];
+        given_[celli] = (1 - open[celli])*(diagonal*U[celli] - source);
+        diagonal *= open[celli];
+        source *= open[celli];
+    }
+}
+
+
 void Foam::cutGrains::addToMomentum
 (
     fvVectorMatrix& UEqn,

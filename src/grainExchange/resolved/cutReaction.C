@@ -48,7 +48,7 @@ void Foam::cutGrains::addForceOfCells
         const cutCells::wall& x = walls[i];
         hasWall[x.cell] = true;
         force[x.grain] +=
-            x.share*(pressure_[x.cell] + remainder_[x.cell])
+            x.share*(pressure_[x.cell] + given_[x.cell] + remainder_[x.cell])
           + link_[i]*(U[x.cell] - velocityAt(i))
           + x.share*mesh_.V()[x.cell]*small_->bOfBodies[x.cell]
           - resistanceInside(x)*velocityIn(x);
@@ -122,7 +122,8 @@ Foam::vector Foam::cutGrains::forceOfCell
     }
     const scalar open = cells_.fluid()[celli];
     return
-        pressure_[celli] + remainder_[celli] + resistance_[celli]*U - pull_[celli]
+        pressure_[celli] + given_[celli] + remainder_[celli]
+      + resistance_[celli]*U - pull_[celli]
       + (open > 0 ? (1 - open)*mesh_.V()[celli] : 0)*gradP;
 }
 

@@ -174,7 +174,9 @@ void Foam::vansFlow::setMomentumEquation()
     }
     if (options_.PtrList<fv::option>::size())
     {
-        UEqn -= options_(rho, U);
+        tmp<fvVectorMatrix> tsources(options_(rho, U));
+        resolved_.shareSources(tsources.ref());
+        UEqn -= tsources;
     }
     resolved_.addToMomentum(UEqn, step.massFlux, step.muf);
     UEqn.relax();

@@ -68,7 +68,12 @@ Foam::scalar Foam::waitingHeat::due
     const scalar heat = of(i);
     const scalar part =
         min(deltaT/max(max(time_[i], least), VSMALL), scalar(1));
-    time_[i] *= heat > 0 ? 1 - part : 0;
+    // Else a step that was long once would be waited for ever
+    constexpr scalar shorter = 0.1;
+    time_[i] =
+        heat > 0
+      ? max((1 - part)*time_[i] - shorter*deltaT, scalar(0))
+      : 0;
     return part*max(heat, scalar(0));
 }
 

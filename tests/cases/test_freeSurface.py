@@ -98,6 +98,18 @@ def test_rest(clone, height, grains, closes):
     assert np.abs(case.field("U")).max() <= 1e-8 * np.sqrt(9.81 * height)
 
 
+@pytest.mark.parametrize("delta_t", [1e-3, 2.5e-4])
+def test_a_disc_at_rest_leaves_the_fluids_beside_it(clone, delta_t):
+    """Without weight, in the middle of them: it carries nothing that could change places."""
+    case = water_box(clone, column(0.047, 1), [(0.05, 0.052)], 0.01, (30, 30))
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=delta_t, endTime=0.01, writeInterval=round(0.01 / delta_t))
+    case.run("grainInterFoam")
+    beside = case.field("eps") > 0.5
+    change = case.field("alpha.water") - case.field("alpha.water", "0")
+    assert np.abs(change[beside]).max() <= 1e-10
+
+
 def test_level_rises_by_what_is_immersed(clone):
     """Grains that start dry, too slow to bring air with them, end on the floor."""
     radius = 0.002

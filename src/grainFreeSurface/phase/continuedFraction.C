@@ -23,6 +23,7 @@ Foam::continuedFraction::continuedFraction
     levels_(levels),
     wetting_(grains),
     isFixed_(grains.motion().isFixed()),
+    g_("g", dimAcceleration, mag(g)),
     down_(mag(g) > SMALL ? g/mag(g) : vector(Zero)),
     carried_
     (
@@ -56,7 +57,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::along() const
 Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
 (
     const volScalarField& alpha,
-    const volScalarField& fraction,
+    const transportFlux& flux,
     const volScalarField& locked
 ) const
 {
@@ -67,14 +68,27 @@ Foam::tmp<Foam::surfaceScalarField> Foam::continuedFraction::swap
         dimVolume,
         zeroGradientFvPatchScalarField::typeName
     );
-    volume.primitiveFieldRef() = fraction.primitiveField()*mesh_.V().field();
+    volume.primitiveFieldRef() = flux.volume();
     volume.correctBoundaryConditions();
 
+    volScalarField carried("carriedByGrains", 0*volume);
+    carried.primitiveFieldRef() =
+        0.5*mesh_.time().deltaTValue()*locked.primitiveField()
+       *fvc::surfaceSum(mag(flux.flux()))().primitiveField();
+    carried.correctBoundaryConditions();
+
+    const surfaceScalarField& perDistance = mesh_.nonOrthDeltaCoeffs();
+    const surfaceScalarField least(localMin<scalar>(mesh_).interpolate(volume));
     tmp<surfaceScalarField> tswap
     (
         along()*localMax<scalar>(mesh_).interpolate(locked)
-       *localMin<scalar>(mesh_).interpolate(volume)
-       /(mesh_.time().deltaT()*mesh_.nonOrthDeltaCoeffs())
+       *min
+        (
+            least,
+            exchanges*localMax<scalar>(mesh_).interpolate(carried)
+          + mesh_.time().deltaT()*sqrt(g_*perDistance)*least
+        )
+       /(mesh_.time().deltaT()*perDistance)
     );
     if (isFixed_)
     {

@@ -240,7 +240,7 @@ void Foam::phaseFraction::carry
     continued_.update(alpha, eps, locked);
     const surfaceScalarField swap
     (
-        continued_.swap(alpha, flux.fraction(), locked)
+        continued_.swap(alpha, flux, locked)
     );
     for (label i = 0; i < nSubCycles_; ++i)
     {

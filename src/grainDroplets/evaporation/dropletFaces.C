@@ -6,6 +6,7 @@
 #include "dropletFaces.H"
 
 #include "combineOverRanks.H"
+#include "surfaceInterpolate.H"
 
 namespace
 {
@@ -164,33 +165,11 @@ void Foam::dropletFace::shut
     surfaceScalarField& conductivity
 )
 {
-    const fvMesh& mesh = conductivity.mesh();
-    const volScalarField dropletOf(dropletOfCells(term, mesh));
-    forAll(mesh.neighbour(), facei)
-    {
-        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
-        if ((dropletOf[P] < 0) != (dropletOf[N] < 0))
-        {
-            conductivity[facei] = 0;
-        }
-    }
-    forAll(mesh.boundary(), patchi)
-    {
-        const fvPatchScalarField& d = dropletOf.boundaryField()[patchi];
-        if (!d.coupled())
-        {
-            continue;
-        }
-        const scalarField own(d.patchInternalField());
-        const scalarField neighbour(d.patchNeighbourField());
-        forAll(d, i)
-        {
-            if ((own[i] < 0) != (neighbour[i] < 0))
-            {
-                conductivity.boundaryFieldRef()[patchi][i] = 0;
-            }
-        }
-    }
+    const surfaceScalarField gas
+    (
+        fvc::interpolate(pos(-0.5 - dropletOfCells(term, conductivity.mesh())))
+    );
+    conductivity *= 1 - pos(gas - SMALL)*pos(1 - SMALL - gas);
 }
 
 

@@ -7,6 +7,7 @@
 #include "cutNeighbours.H"
 
 #include "fvc.H"
+#include "Spalding.H"
 
 namespace
 {
@@ -68,7 +69,7 @@ Foam::scalar Foam::cutGrains::linkOfLine(const label walli) const
     const cutCells::wall& x = cells_.walls()[walli];
     return
         cells_.fluid()[x.cell] > 0
-      ? fluid_.muStress()[x.cell]*mag(x.area)/x.distance
+      ? fluid_.mu()[x.cell]*mag(x.area)/x.distance
       : 0;
 }
 
@@ -158,6 +159,10 @@ Foam::cutCurvature Foam::cutGrains::setLinks
             continue;
         }
         const scalar viscosity = thicker[c]*fluid_.mu()[c];
+        if (fluid_.isTurbulent())
+        {
+            link_[i] *= wallShearRatio(rho[c]*speed*x.distance/viscosity);
+        }
         const vector drive
         (
             (moving[c]*gradP[c] + small_->beta[c]*v - small_->b[c])/open[c]

@@ -46,6 +46,10 @@ Foam::grainFluidHeat::grainFluidHeat
     )
 {
     checkProperties(T);
+    if (fluid.isTurbulent() && exchange.resolved().leavesParts())
+    {
+        exchange.resolved().requireWholeCells("turbulence and heat");
+    }
     exchange.followGrains();
     setOpenConductivity();
     noteGapsTwice();

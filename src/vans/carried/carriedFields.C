@@ -80,6 +80,7 @@ Foam::carriedFields::carriedFields
 :
     flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh),
     fluid_(&fluid),
+    hasMass_(true),
     isMore_(isMore),
     hasCarried_(false),
     makesRoom_(false)
@@ -101,6 +102,7 @@ Foam::carriedFields::carriedFields
 :
     flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh, true),
     fluid_(nullptr),
+    hasMass_(false),
     isMore_(true),
     hasCarried_(false),
     makesRoom_(false)
@@ -114,15 +116,7 @@ Foam::carriedFields::~carriedFields() = default;
 
 void Foam::carriedFields::surround(const resolvedTerm& resolved)
 {
-    if (!resolved.leavesParts())
-    {
-        return;
-    }
-    if (turbulence_)
-    {
-        resolved.requireWholeCells("turbulence");
-    }
-    fluid_ = nullptr;
+    hasMass_ = hasMass_ && !resolved.leavesParts();
 }
 
 
@@ -155,7 +149,7 @@ void Foam::carriedFields::meshChanged()
         one.meshChanged(flux_);
     }
     flux_.meshChanged();
-    if (fluid_ && flux_.fraction().mesh().topoChanging())
+    if (hasMass_ && flux_.fraction().mesh().topoChanging())
     {
         fluid_->forgetMass();
     }
@@ -200,11 +194,11 @@ void Foam::carriedFields::carry
             scalars_[i].carry(flux_, D);
         }
     }
-    if (fluid_ && makesRoom_)
+    if (hasMass_ && makesRoom_)
     {
         fluid_->forgetMass();
     }
-    else if (fluid_)
+    else if (hasMass_)
     {
         fluid_->setMass(flux_);
     }
@@ -215,7 +209,7 @@ void Foam::carriedFields::carry
 void Foam::carriedFields::skip()
 {
     flux_.skip();
-    if (fluid_)
+    if (hasMass_)
     {
         fluid_->forgetMass();
     }

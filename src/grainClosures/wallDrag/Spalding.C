@@ -1,0 +1,28 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "Spalding.H"
+
+Foam::scalar Foam::wallShearRatio(const scalar Re)
+{
+    constexpr scalar kappa = 0.41, E = 9.8;
+
+    // Both are beyond the solution; from there Newton's steps only come nearer
+    scalar u = min(sqrt(Re), 2 + log(1 + E*Re)/kappa);
+    for (label i = 0; i < 50 && u > VSMALL; ++i)
+    {
+        const scalar k = kappa*u;
+        const scalar e = exp(k);
+        const scalar y = u + (e - 1 - k - sqr(k)/2 - pow3(k)/6)/E;
+        const scalar slope = 1 + kappa*(e - 1 - k - sqr(k)/2)/E;
+        const scalar step = (u*y - Re)/(y + u*slope);
+        u -= step;
+        if (mag(step) < 1e-12*u)
+        {
+            break;
+        }
+    }
+    return u > VSMALL ? Re/sqr(u) : 1;
+}

@@ -13,10 +13,10 @@ namespace
 {
 
 //- Spalding's y+ of a u+
-scalar distance(const scalar u)
+scalar yPlus(const scalar u)
 {
     const scalar k = 0.41*u;
-    return u + (exp(k) - 1 - k - sqr(k)/2 - pow3(k)/6)/9.8;
+    return u + (std::exp(k) - 1 - k - sqr(k)/2 - pow3(k)/6)/9.8;
 }
 
 }
@@ -26,7 +26,7 @@ TEST(WallShear, FollowsSpaldingsProfile)
 {
     for (scalar u = 0.01; u < 70; u *= 1.3)
     {
-        const scalar y = distance(u);
+        const scalar y = yPlus(u);
         EXPECT_NEAR(wallShearRatio(u*y), y/u, 1e-10*y/u);
     }
 }
@@ -36,7 +36,7 @@ TEST(WallShear, IsThatOfTheLogLawFarFromTheWall)
 {
     // At y+ 1000 within 3 %, as OpenFOAM's nutUWallFunction has it
     const scalar y = 1000;
-    const scalar u = log(9.8*y)/0.41;
+    const scalar u = std::log(9.8*y)/0.41;
     EXPECT_NEAR(wallShearRatio(u*y), y/u, 0.03*y/u);
 }
 

@@ -9,9 +9,16 @@ Foam::scalar Foam::wallShearRatio(const scalar Re)
 {
     constexpr scalar kappa = 0.41, E = 9.8;
 
+    // Of laminar layers 1 to 1e-11; what is more than that would be round-off
+    constexpr scalar laminar = 1e-5;
+    if (Re < laminar)
+    {
+        return 1;
+    }
+
     // Both are beyond the solution; from there Newton's steps only come nearer
     scalar u = min(sqrt(Re), 2 + log(1 + E*Re)/kappa);
-    for (label i = 0; i < 50 && u > VSMALL; ++i)
+    for (label i = 0; i < 50; ++i)
     {
         const scalar k = kappa*u;
         const scalar e = exp(k);
@@ -24,5 +31,5 @@ Foam::scalar Foam::wallShearRatio(const scalar Re)
             break;
         }
     }
-    return u > VSMALL ? Re/sqr(u) : 1;
+    return Re/sqr(u);
 }

@@ -55,12 +55,10 @@ def test_a_model_that_has_nothing_to_do_changes_nothing(clone):
         case = choose(grain_box(clone, [(0.0371, 0.0511)], 0.00625, name=f"{model is None}"))
         with_cells(case, 64)
         stream(case, 0.1)
+        if model:
+            eddies(case, model)
         replace(case, FLUID, "1e-4", repr(0.1 * 0.0125 / 40))
         fix_grains(case)
-        if model:
-            replace(case, FLUID, "nu ", "transportModel Newtonian;\nnu ")
-            write_scalar(case, "nut", "0 2 -1 0 0 0 0", 0, WITHOUT)
-            set_model(case, model)
         control(case, deltaT=2e-3, endTime=0.4, writeInterval=200)
         case.run("grainFoam")
         drag.append(tracks(case)[-1, 11])

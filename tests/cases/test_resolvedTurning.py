@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from cluster_box import ROD, make_clusters
 from grain_box import control, grain_box, make_cyclic, replace, tracks
 from water_box import level, water_box
 
@@ -22,11 +23,7 @@ def spinning(clone, name, rod="", y=0.05, velocity=(0, 0), density=8000, radius=
     file = case.path / "constant/grains.csv"
     header, line = file.read_text().splitlines()
     if rod:
-        replace(case, GRAINS, "\nwalls\n{", f"\nshapes {{ rod {{ {rod} }} }}\n\nwalls\n{{")
-        file.write_text(
-            f"{header},shape,qw,qx,qy,qz,wx,wy,wz\n"
-            f"{line},rod,{np.cos(0.35):.15f},0,0,{np.sin(0.35):.15f},0,0,{OMEGA}\n"
-        )
+        make_clusters(case, rod, 0.7, OMEGA)
     else:
         file.write_text(f"{header},wx,wy,wz\n{line},0,0,{OMEGA}\n")
     replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
@@ -35,9 +32,6 @@ def spinning(clone, name, rod="", y=0.05, velocity=(0, 0), density=8000, radius=
     replace(case, "constant/g", "-9.81", "0")
     control(case, deltaT=dt, endTime=4e-3, writeInterval=1000)
     return case
-
-
-ROD = "type cluster; centres ((-2 0 0) (-1 0 0) (0 0 0) (1 0 0) (2 0 0)); radii (1 1 1 1 1);"
 
 
 # 17.8 and 10.9: with the inertia that fluid adds to a plate.  The pressure within the rod, which
@@ -61,9 +55,8 @@ def test_ranks_agree_on_a_rod(clone):
     np.testing.assert_allclose(tracks(two)[:, 10], tracks(one)[:, 10], rtol=1e-6)
 
 
-def write_U(case, velocity, sides):
-    """U(x, y) in cells and on the sides of the box, as (n, 2) arrays about its middle."""
-    n = 20
+def write_U(case, velocity, sides, n=20):
+    """U(x, y) in n x n cells and on the sides of the box, as (n, 2) arrays about its middle."""
     s = (np.arange(n) + 0.5) * 0.1 / n - 0.05
     x, y = np.meshgrid(s, s)
 
@@ -149,11 +142,7 @@ def test_a_rod_in_the_surface_turns_level(clone, angle):
     """Half of the water's density; the water's pressure once had no moment on it."""
     case = water_box(clone, level(0.05), [(0.05, 0.05)], 0.025, (40, 40))
     replace(case, GRAINS, "density 2500", "density 500")
-    replace(case, GRAINS, "\nwalls\n{", f"\nshapes {{ rod {{ {ROD} }} }}\n\nwalls\n{{")
-    file = case.path / "constant/grains.csv"
-    header, line = file.read_text().splitlines()
-    turned = f"{np.cos(angle / 2):.15f},0,0,{np.sin(angle / 2):.15f}"
-    file.write_text(f"{header},shape,qw,qx,qy,qz\n{line},rod,{turned}\n")
+    make_clusters(case, ROD, angle)
     control(case, deltaT=5e-4, endTime=0.12, writeInterval=20)
     case.run("grainInterFoam")
     angles = np.array([case.grains(time)["orientation"][0] for time in case.times[1:]])

@@ -137,17 +137,14 @@ Foam::vector Foam::dropletTerm::normal
 ) const
 {
     const grainSystem& system = droplets_.system();
-    vector arm
+    const fvMesh& mesh = system.mesh();
+    const vector arm
     (
-        system.shortest
+        inMesh
         (
-            system.mesh().C()[celli] - system.centres()[droplet]
+            mesh, system.shortest(mesh.C()[celli] - system.centres()[droplet])
         )
     );
-    for (direction i = 0; i < vector::nComponents; ++i)
-    {
-        arm[i] = system.mesh().geometricD()[i] < 0 ? 0 : arm[i];
-    }
     return arm/max(mag(arm), VSMALL);
 }
 

@@ -188,20 +188,6 @@ void Foam::resolvedGrains::update()
 }
 
 
-Foam::vector Foam::resolvedGrains::inMesh(const vector& x) const
-{
-    vector result(x);
-    for (direction i = 0; i < vector::nComponents; ++i)
-    {
-        if (mesh_.geometricD()[i] < 0)
-        {
-            result[i] = 0;
-        }
-    }
-    return result;
-}
-
-
 Foam::grainMember Foam::resolvedGrains::deepestMember
 (
     const label graini,

@@ -5,10 +5,6 @@
 
 #include "resolvedTerm.H"
 
-#include "cutGrains.H"
-#include "lockedGrains.H"
-#include "noResolvedTerm.H"
-
 Foam::chosenOption Foam::resolvedTerm::chosen
 (
     const dictionary& coupling,
@@ -20,37 +16,6 @@ Foam::chosenOption Foam::resolvedTerm::chosen
         coupling, "resolvedGrains", wordList({"locked", "cutCells"}),
         {"from", 4, 2, 100}, isPossible
     );
-}
-
-
-Foam::autoPtr<Foam::resolvedTerm> Foam::resolvedTerm::New
-(
-    const grainSystem& grains,
-    const carrier& fluid
-)
-{
-    const chosenOption option
-    (
-        chosen(grains.motion().coupling(), grains.voidFraction().resolves())
-    );
-    if (!option.number)
-    {
-        return autoPtr<resolvedTerm>(new noResolvedTerm(grains.mesh()));
-    }
-    return
-        option.type == "cutCells"
-      ? autoPtr<resolvedTerm>
-        (
-            new cutGrains
-            (
-                grains, fluid, *option.number,
-                {
-                    grains.motion().coupling().subDict("resolvedGrains"),
-                    "type", "locked none"
-                }
-            )
-        )
-      : autoPtr<resolvedTerm>(new lockedGrains(grains, fluid, *option.number));
 }
 
 

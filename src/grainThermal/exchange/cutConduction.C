@@ -26,7 +26,7 @@ Foam::scalar Foam::cutConduction::perConductivity(const cutCells::wall& x) const
     constexpr scalar most = 3;
 
     const scalar squares = sqr(x.distance) + cells_.spreadAlong(x);
-    const scalar curvature = (mesh.nGeometricD() - 1)/mag(x.arm);
+    const scalar curvature = (mesh.nGeometricD() - 1)/x.radius;
     return
         mag(x.area)/x.distance
        *(1 + min(0.5*squares*curvature/x.distance, most));

@@ -123,6 +123,32 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
 
 
 template<int D>
+Foam::tensor Foam::grainDynamics<D>::momentOfInertia(const label graini) const
+{
+    const auto column = [&](const label axis)
+    {
+        nscd::Spin<D> spin(nscd::Spin<D>::Zero());
+        spin[axis] = 1;
+        return nscd::angularMomentum<D>(grains(), graini, spin);
+    };
+    if (D == 2)
+    {
+        return column(0)[0]*tensor::I;
+    }
+    tensor result(Zero);
+    for (label j = 0; j < D; ++j)
+    {
+        const nscd::Spin<D> momentum(column(j));
+        for (label i = 0; i < D; ++i)
+        {
+            result[3*i + j] = momentum[i];
+        }
+    }
+    return result;
+}
+
+
+template<int D>
 void Foam::grainDynamics<D>::lubricate
 (
     const std::function<scalar(scalar, scalar)>& restitution,
@@ -212,6 +238,14 @@ template Foam::grainMotion::twist Foam::grainDynamics<2>::contactChange
 template Foam::grainMotion::twist Foam::grainDynamics<3>::contactChange
 (
     const label, const scalar
+) const;
+template Foam::tensor Foam::grainDynamics<2>::momentOfInertia
+(
+    const label
+) const;
+template Foam::tensor Foam::grainDynamics<3>::momentOfInertia
+(
+    const label
 ) const;
 template void Foam::grainDynamics<2>::resize
 (

@@ -17,12 +17,21 @@ TEST(DiscEdge, HasTheLengthOfAChord)
     {
         const double half = 2 * std::sqrt(1 - h * h);
         const double x = 3 + 2 * h;
-        EXPECT_NEAR(lengthInDisc(centre, 2, {x, -9}, {x, 5}), 2 * half, 1e-14);
-        EXPECT_NEAR(lengthInDisc(centre, 2, {x, -1}, {x, 5}), half, 1e-14);
-        EXPECT_NEAR(lengthInDisc(centre, 2, {x, -1}, {x, -1 + 0.1 * half}), 0.1 * half, 1e-14);
+        EXPECT_NEAR(edgeInDisc(centre, 2, {x, -9}, {x, 5}).length, 2 * half, 1e-14);
+        EXPECT_NEAR(edgeInDisc(centre, 2, {x, -1}, {x, 5}).length, half, 1e-14);
+        EXPECT_NEAR(edgeInDisc(centre, 2, {x, -1}, {x, -1 + 0.1 * half}).length, 0.1 * half, 1e-14);
     }
-    EXPECT_EQ(lengthInDisc(centre, 2, {5.5, -9}, {5.5, 5}), 0);
-    EXPECT_EQ(lengthInDisc(centre, 2, {3, 2}, {3, 5}), 0);
+    EXPECT_EQ(edgeInDisc(centre, 2, {5.5, -9}, {5.5, 5}).length, 0);
+    EXPECT_EQ(edgeInDisc(centre, 2, {3, 2}, {3, 5}).length, 0);
+}
+
+TEST(DiscEdge, HasTheMiddleOfAChord)
+{
+    const Point2 centre(3, -1);
+    const double half = 2 * std::sqrt(1 - 0.3 * 0.3);
+    EXPECT_NEAR((edgeInDisc(centre, 2, {3.6, -9}, {3.6, 5}).middle - Point2(3.6, -1)).norm(), 0, 1e-14);
+    EXPECT_NEAR((edgeInDisc(centre, 2, {3.6, -1}, {3.6, 5}).middle - Point2(3.6, -1 + half / 2)).norm(), 0, 1e-14);
+    EXPECT_EQ(edgeInDisc(centre, 2, {3, 2}, {3, 5}).middle, centre);
 }
 
 TEST(DiscEdge, IsTheSameFromBothEnds)
@@ -32,7 +41,7 @@ TEST(DiscEdge, IsTheSameFromBothEnds)
     for (int i = 0; i < 10000; ++i)
     {
         const Point2 centre(in(random), in(random)), p(in(random), in(random)), q(in(random), in(random));
-        EXPECT_EQ(lengthInDisc(centre, 1.3, p, q), lengthInDisc(centre, 1.3, q, p));
+        EXPECT_EQ(edgeInDisc(centre, 1.3, p, q).length, edgeInDisc(centre, 1.3, q, p).length);
     }
 }
 
@@ -55,7 +64,7 @@ TEST(DiscEdge, ClosesTheFluidOfACell)
         {
             const Point2 p = cell[k], d = cell[(k + 1) % 4] - p;
             const Point2 normal = Point2(d.y(), -d.x()) / d.norm();
-            closed += lengthInDisc(centre, 0.8, p, p + d) * normal;
+            closed += edgeInDisc(centre, 0.8, p, p + d).length * normal;
         }
 
         // Area gained when the disc moves by a small step: minus the wall vector times the step

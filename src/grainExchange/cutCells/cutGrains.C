@@ -125,21 +125,23 @@ void Foam::cutGrains::findResolved()
 {
     isResolved_ = resolvedBySize(grains_, cellSizes(mesh_), from_);
     isActive_ = isResolved_.found(true);
-    requireRound();
+    isCluster_ = isResolved_;
+    forAll(isCluster_, graini)
+    {
+        isCluster_[graini] =
+            isResolved_[graini] && grains_.members(graini).size() > 1;
+    }
+    requireServed();
 }
 
 
-void Foam::cutGrains::requireRound() const
+void Foam::cutGrains::requireServed() const
 {
     forAll(isResolved_, graini)
     {
         if (!isResolved_[graini])
         {
             continue;
-        }
-        if (grains_.members(graini).size() > 1)
-        {
-            refuse("clusters");
         }
         if (grains_.isAtOpening(graini))
         {
@@ -257,6 +259,8 @@ void Foam::cutGrains::update()
     pressure_ = Zero;
     given_.resize(mesh_.nCells());
     given_ = Zero;
+    moment_.resize(mesh_.nCells());
+    moment_ = Zero;
 
     const List<cutCells::wall>& walls = cells_.walls();
     const scalarField& open = cells_.fluid();
@@ -301,43 +305,10 @@ void Foam::cutGrains::blow(const blowing& x)
 }
 
 
-void Foam::cutGrains::setFreeMotion()
-{
-    const scalarField rho(weight_.displaced());
-    free_.resize(grains_.size());
-    motion_.resize(grains_.size());
-    forAll(motion_, graini)
-    {
-        if (grains_.motion().isFixed())
-        {
-            free_[graini] = motion_[graini] = grainMotion::twist{Zero, Zero};
-            continue;
-        }
-        motion_[graini] = grains_.motion().motion(graini);
-        free_[graini] =
-            motionInStep
-            (
-                grains_.motion(),
-                weight_,
-                graini,
-                motion_[graini],
-                rho[graini],
-                mesh_.time().deltaTValue()
-            );
-    }
-    inSource_ = motion_;
-    resists_.resize(grains_.size());
-    resists_ = Zero;
-}
-
-
 Foam::vector Foam::cutGrains::velocityIn(const label celli) const
 {
     const label graini = cover_[celli];
-    return motion_[graini].at
-    (
-        cells_.between(grains_.centres()[graini], mesh_.C()[celli])
-    );
+    return motion_[graini].at(armOf(graini, celli));
 }
 
 

@@ -31,33 +31,58 @@ void Foam::cutGrains::addForce
         }
     }
 
-    addForceOfCells(U, force);
+    vectorField torque(grains_.size(), Zero);
+    addForceOfCells(U, force, torque);
 }
 
 
 void Foam::cutGrains::addForceOfCells
 (
     const volVectorField& U,
-    vectorField& force
+    vectorField& force,
+    vectorField& torque
 ) const
 {
+    // What the pressure gives to a disc or sphere has no moment
+    const auto add = [&](const label graini, const label celli, const vector& f)
+    {
+        force[graini] += f;
+        if (isCluster_[graini])
+        {
+            torque[graini] += armOf(graini, celli) ^ f;
+        }
+    };
     const List<cutCells::wall>& walls = cells_.walls();
     boolList hasWall(mesh_.nCells(), false);
     forAll(walls, i)
     {
         const cutCells::wall& x = walls[i];
         hasWall[x.cell] = true;
-        force[x.grain] +=
-            x.share*(pressure_[x.cell] + given_[x.cell] + remainder_[x.cell])
-          + link_[i]*(U[x.cell] - velocityAt(i))
-          + x.share*mesh_.V()[x.cell]*small_->bOfBodies[x.cell]
-          - resistanceInside(x)*velocityIn(x);
+        add
+        (
+            x.grain,
+            x.cell,
+            x.share
+           *(
+                pressure_[x.cell] + given_[x.cell] + remainder_[x.cell]
+              + mesh_.V()[x.cell]*small_->bOfBodies[x.cell]
+            )
+          - resistanceInside(x)*velocityIn(x)
+        );
+        const vector pull(link_[i]*(U[x.cell] - velocityAt(i)));
+        force[x.grain] += pull;
+        torque[x.grain] += x.arm ^ pull;
+        if (isCluster_[x.grain])
+        {
+            torque[x.grain] += x.share*moment_[x.cell];
+        }
     }
     forAll(remainder_, celli)
     {
-        if (!hasWall[celli] && holder_[celli] >= 0)
+        const label graini = holder_[celli];
+        if (!hasWall[celli] && graini >= 0)
         {
-            force[holder_[celli]] += remainder_[celli];
+            add(graini, celli, remainder_[celli]);
         }
     }
 }
@@ -87,7 +112,12 @@ void Foam::cutGrains::setRemainder(const volVectorField& U)
         {
             continue;
         }
-        const vector& v = motion_[graini].velocity;
+        const vector v
+        (
+            isCluster_[graini]
+          ? motion_[graini].at(armOf(graini, celli))
+          : motion_[graini].velocity
+        );
         const scalar perShare =
             rho[celli]*V[celli]*amongSmall[celli]/deltaT;
         const scalar change =
@@ -144,6 +174,20 @@ void Foam::cutGrains::sumLinks()
 }
 
 
+void Foam::cutGrains::leaveRotation(vectorField& torque) const
+{
+    const scalarField mu(meanOverGrains(grains_, fluid_.mu()));
+    forAll(torque, graini)
+    {
+        if (isResolved(graini))
+        {
+            torque[graini] -=
+                2*mu[graini]*grains_.mappedVolume()[graini]*motion_[graini].spin;
+        }
+    }
+}
+
+
 void Foam::cutGrains::addViscousTorque
 (
     const volVectorField& U,
@@ -155,20 +199,22 @@ void Foam::cutGrains::addViscousTorque
     {
         return;
     }
-    vectorField viscous(grains_.size(), Zero);
+    vectorField force(grains_.size(), Zero);
+    vectorField given(grains_.size(), Zero);
+    addForceOfCells(U, force, given);
+
     scalarField resistance(grains_.size(), Zero);
     const List<cutCells::wall>& walls = cells_.walls();
     forAll(walls, i)
     {
         const cutCells::wall& x = walls[i];
-        viscous[x.grain] += link_[i]*(x.arm ^ (U[x.cell] - velocityAt(i)));
         resistance[x.grain] += link_[i]*magSqr(x.arm);
     }
-    sumOverRanks(viscous);
+    sumOverRanks(given);
     sumOverRanks(resistance);
+    leaveRotation(given);
 
-    // A rotation of all has no stress; implicit in the spin
-    const scalarField mu(meanOverGrains(grains_, fluid_.mu()));
+    // Implicit in the spin of discs and spheres; that of clusters is known
     const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)
     {
@@ -176,12 +222,13 @@ void Foam::cutGrains::addViscousTorque
         {
             continue;
         }
-        const scalar V = grains_.mappedVolume()[graini];
         const scalar inertia =
-            V*grains_.motion().density(graini)
+            grains_.mappedVolume()[graini]*grains_.motion().density(graini)
            *squaredGyration*sqr(grains_.fluidDiameter(graini));
         torque[graini] +=
-            (viscous[graini] - 2*mu[graini]*V*motion_[graini].spin)
+            isCluster_[graini]
+          ? given[graini]
+          : given[graini]
            /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
     }
 }

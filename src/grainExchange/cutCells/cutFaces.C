@@ -6,8 +6,6 @@
 #include "cutCells.H"
 
 #include "fvcSurfaceIntegrate.H"
-#include "overlap/disc/DiscEdge.hpp"
-#include "overlap/disc/DiscPolygon.hpp"
 #include "resolvedGrains.H"
 #include "surfaceInterpolate.H"
 
@@ -32,108 +30,13 @@ void Foam::cutCells::forFaces(const label celli, const Function& f) const
 }
 
 
-Foam::scalar Foam::cutCells::closedShare
-(
-    const label facei,
-    const grainMember& body
-) const
-{
-    const vector toMiddle(between(body.centre, mesh_.faceCentres()[facei]));
-    return
-        mesh_.nGeometricD() == 3
-      ? shareInSphere(facei, toMiddle, body.radius)
-      : shareInDisc(facei, toMiddle, body.radius);
-}
-
-
-Foam::scalar Foam::cutCells::shareInDisc
-(
-    const label facei,
-    const vector& toMiddle,
-    const scalar radius
-) const
-{
-    const point& middle = mesh_.faceCentres()[facei];
-
-    // Of a mesh one cell thick, the edge in its plane
-    vector first(Zero), last(Zero);
-    scalar longest = -1;
-    for (const label pointi : mesh_.faces()[facei])
-    {
-        const vector x(inMesh(mesh_.points()[pointi] - middle));
-        if (longest < 0)
-        {
-            first = x;
-            longest = 0;
-        }
-        if (mag(x - first) > longest)
-        {
-            last = x;
-            longest = mag(x - first);
-        }
-    }
-
-    overlap::Point2 a, b;
-    int k = 0;
-    for (direction i = 0; i < vector::nComponents; ++i)
-    {
-        if (mesh_.geometricD()[i] > 0)
-        {
-            a[k] = toMiddle[i] + first[i];
-            b[k] = toMiddle[i] + last[i];
-            ++k;
-        }
-    }
-    return overlap::lengthInDisc({0, 0}, radius, a, b)/(b - a).norm();
-}
-
-
-Foam::scalar Foam::cutCells::shareInSphere
-(
-    const label facei,
-    const vector& toMiddle,
-    const scalar radius
-) const
-{
-    const vector& S = mesh_.faceAreas()[facei];
-    const vector n(S/mag(S));
-    const scalar height = toMiddle & n;
-    const scalar squaredRadius = sqr(radius) - sqr(height);
-    if (squaredRadius <= 0)
-    {
-        return 0;
-    }
-
-    // The circle that the face's plane cuts out of the sphere, seen along the normal
-    const point& middle = mesh_.faceCentres()[facei];
-    const face& corners = mesh_.faces()[facei];
-    const vector along(mesh_.points()[corners[0]] - middle);
-    const vector e1(normalised(along - (along & n)*n));
-    const vector e2(n ^ e1);
-    DynamicList<overlap::Point2> polygon(corners.size());
-    for (const label pointi : corners)
-    {
-        const vector x(mesh_.points()[pointi] - middle);
-        polygon.append(overlap::Point2(x & e1, x & e2));
-    }
-    const scalar area = overlap::discPolygon
-    (
-        overlap::Point2(-(toMiddle & e1), -(toMiddle & e2)),
-        Foam::sqrt(squaredRadius),
-        polygon.cdata(),
-        polygon.size()
-    ).area;
-    return min(area/mag(S), scalar(1));
-}
-
-
 void Foam::cutCells::addParts
 (
     const label graini,
     DynamicList<part>& parts
 ) const
 {
-    const grainMember body(grains_.members(graini)[0]);
+    const cutBody body(this->body(graini));
     labelHashSet seen;
     for (const cellOverlap& o : grains_.overlaps().of(graini))
     {
@@ -146,10 +49,15 @@ void Foam::cutCells::addParts
                 {
                     return;
                 }
-                const scalar share = closedShare(facei, body);
-                if (share > 0)
+                const cutBody::part x = body.of
+                (
+                    facei,
+                    between(grains_.centres()[graini], mesh_.faceCentres()[facei])
+                );
+                if (x.share > 0)
                 {
-                    parts.append(part{graini, patchi, i, share});
+                    const vector arm(body.isRound() ? vector(Zero) : x.arm);
+                    parts.append(part{graini, patchi, i, x.share, arm});
                 }
             }
         );
@@ -269,10 +177,17 @@ void Foam::cutCells::addWalls
         }
     }
 
-    const scalar R = grains_.members(graini)[0].radius;
+    const cutBody body(this->body(graini));
+    Map<label> wallOf;
     for (const cellOverlap& o : grains_.overlaps().of(graini))
     {
-        wall x{graini, o.cell, o.index, Zero, Zero, 1, o.volume/solid[o.cell]};
+        const scalar share = o.volume/solid[o.cell];
+        if (!wallOf.insert(o.cell, walls.size()))
+        {
+            walls[wallOf[o.cell]].share += share;
+            continue;
+        }
+        wall x{graini, o.cell, o.index, Zero, Zero, Zero, 0, 1, share};
         forFaces
         (
             o.cell,
@@ -293,15 +208,17 @@ void Foam::cutCells::addWalls
             }
         );
 
-        const vector r
+        const cutBody::surfacePoint next = body.nearest
         (
             between(grains_.centres()[graini], mesh_.C()[o.cell])
           + centroid_[o.cell]
         );
-        x.arm = R*r/max(mag(r), VSMALL);
+        x.arm = next.arm;
+        x.normal = next.normal;
+        x.radius = next.radius;
         x.distance = max
         (
-            max(mag(r) - R, halfFilm(x)), 1e-3*cellSize_[o.cell]
+            max(next.distance, halfFilm(x)), 1e-3*cellSize_[o.cell]
         );
         walls.append(x);
     }

@@ -102,20 +102,6 @@ Foam::cutCells::cutCells(const grainSystem& grains)
 {}
 
 
-Foam::vector Foam::cutCells::inMesh(const vector& x) const
-{
-    vector result(x);
-    for (direction i = 0; i < vector::nComponents; ++i)
-    {
-        if (mesh_.geometricD()[i] < 0)
-        {
-            result[i] = 0;
-        }
-    }
-    return result;
-}
-
-
 Foam::scalar Foam::cutCells::halfFilm(const wall& x) const
 {
     const scalar V = mesh_.V()[x.cell];
@@ -126,11 +112,10 @@ Foam::scalar Foam::cutCells::halfFilm(const wall& x) const
 Foam::scalar Foam::cutCells::spreadAlong(const wall& x) const
 {
     // Between a third of the square, of a film, and a half, of the tip of a wedge
-    const vector n(x.arm/mag(x.arm));
     return min
     (
         (0.5 - 0.25*fluid_[x.cell])*sqr(x.distance),
-        n & (spread_[x.cell] & n)
+        x.normal & (spread_[x.cell] & x.normal)
     );
 }
 

@@ -5,7 +5,6 @@
 
 #include "cutGrains.H"
 
-#include "combineOverRanks.H"
 #include "cutSlopes.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -188,13 +187,7 @@ void Foam::cutGrains::startCorrections
         return;
     }
     A_ = new volScalarField("cutA", A + small_->beta);
-    resists_ = Zero;
-    forAll(link_, i)
-    {
-        const cutCells::wall& x = cells_.walls()[i];
-        resists_[x.grain] += link_[i]*(1 - follows(i)) + resistanceInside(x);
-    }
-    sumOverRanks(resists_);
+    setResistance();
     setInertia();
     const surfaceScalarField diagonal(fvc::interpolate(A_()));
     const surfaceScalarField open(cells_.fluidOfFaces());
@@ -259,29 +252,6 @@ Foam::tmp<Foam::volScalarField> Foam::cutGrains::movingShare() const
 }
 
 
-void Foam::cutGrains::setInertia()
-{
-    // So much of the fluid's that a grain which is fixed hardly yields
-    constexpr scalar fixed = 1e4;
-
-    const grainMotion& motion = grains_.motion();
-    const scalar deltaT = mesh_.time().deltaTValue();
-    if (motion.isFixed())
-    {
-        inertia_ = scalarField
-        (
-            grains_.size(), fixed*gMax(fluid_.rho().primitiveField())/deltaT
-        );
-        return;
-    }
-    inertia_ = resists_/max(grains_.mappedVolume(), VSMALL);
-    forAll(inertia_, graini)
-    {
-        inertia_[graini] += motion.density(graini)/deltaT;
-    }
-}
-
-
 void Foam::cutGrains::correctSource(fvVectorMatrix& UEqn)
 {
     if (!isActive() || grains_.motion().isFixed())
@@ -319,7 +289,7 @@ void Foam::cutGrains::addToFlux(surfaceScalarField& flux) const
         at(flux, x.patch, x.face) +=
             x.share
            *(
-                (motion_[x.grain].velocity & at(mesh_.Sf(), x.patch, x.face))
+                (motion_[x.grain].at(x.arm) & at(mesh_.Sf(), x.patch, x.face))
               + at(gradient_(), x.patch, x.face)/inertia_[x.grain]
             );
     }
@@ -356,7 +326,7 @@ void Foam::cutGrains::correctFaceVelocity
         if (at(cells_.open(), x.patch, x.face) == 0)
         {
             at(flux, x.patch, x.face) =
-                motion_[x.grain].velocity & at(mesh_.Sf(), x.patch, x.face);
+                motion_[x.grain].at(x.arm) & at(mesh_.Sf(), x.patch, x.face);
         }
     }
 }
@@ -390,65 +360,11 @@ void Foam::cutGrains::correctForce
         const label c = x.cell;
         gradient[c] = open[c] > 0 ? inOpen[c] : vector(Zero);
         pressure_[c] = mesh_.V()[c]*(open[c]*gradient[c] - inAll[c]);
-    }
-}
-
-
-void Foam::cutGrains::correctMotion
-(
-    volVectorField& U,
-    const surfaceScalarField&,
-    const surfaceScalarField&
-)
-{
-    if (!isActive())
-    {
-        return;
-    }
-    if (!grains_.motion().isFixed())
-    {
-        moveGrains(U);
-    }
-    sumLinks();
-    forAll(cover_, celli)
-    {
-        if (cover_[celli] >= 0)
-        {
-            U[celli] = velocityIn(celli);
-        }
-    }
-}
-
-
-void Foam::cutGrains::moveGrains(volVectorField& U)
-{
-    setRemainder(U);
-    vectorField force(grains_.size(), Zero);
-    addForceOfCells(U, force);
-    sumOverRanks(force);
-
-    const List<grainMotion::twist> last(motion_);
-    const scalar deltaT = mesh_.time().deltaTValue();
-    forAll(motion_, graini)
-    {
-        if (!isResolved(graini))
-        {
-            continue;
-        }
-        const scalar inertia = grains_.motion().mass(graini)/deltaT;
-        motion_[graini].velocity =
-            (
-                inertia*free_[graini].velocity
-              + resists_[graini]*last[graini].velocity
-              + force[graini]
-            )
-           /(inertia + resists_[graini]);
-    }
-    const List<cutCells::wall>& walls = cells_.walls();
-    forAll(walls, i)
-    {
-        const label graini = walls[i].grain;
-        U[walls[i].cell] +=
-            follows(i)*(motion_[graini].velocity - last[graini].velocity);
+        moment_[c] =
+            open[c]*cells_.shift()[c]
+          ^ (
+                mesh_.V()[c]*gradient[c]
+              - given_[c]/max(1 - open[c], SMALL)
+            );
     }
 }

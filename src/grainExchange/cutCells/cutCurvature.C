@@ -52,7 +52,7 @@ void Foam::cutCurvature::add(const cutCells::wall& x, const vector& second)
     // has of a curvature is small against its errors
     constexpr scalar small = 0.1;
 
-    const symmTensor axis(sqr(x.arm/mag(x.arm)));
+    const symmTensor axis(sqr(x.normal));
     const scalar whole = axis && cells_.spreadOfWhole(x.cell);
     second_[x.cell] +=
         x.share*min(cells_.fluid()[x.cell]/small, scalar(1))*second;

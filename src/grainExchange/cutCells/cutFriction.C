@@ -109,7 +109,7 @@ Foam::cutCurvature Foam::cutGrains::setLinks
     vectorField normal(mesh_.nCells(), Zero);
     for (const cutCells::wall& x : walls)
     {
-        normal[x.cell] += x.share*x.arm/mag(x.arm);
+        normal[x.cell] += x.share*x.normal;
     }
 
     List<cellsAhead> ahead(mesh_.nCells());
@@ -149,7 +149,7 @@ Foam::cutCurvature Foam::cutGrains::setLinks
     {
         const cutCells::wall& x = walls[i];
         const label c = x.cell;
-        const vector n(x.arm/mag(x.arm));
+        const vector& n = x.normal;
         const vector v(motion_[x.grain].at(x.arm));
         const vector slip((U[c] - v) - ((U[c] - v) & n)*n);
         const scalar speed = mag(slip);
@@ -189,7 +189,7 @@ Foam::cutCurvature Foam::cutGrains::setLinks
             largest += share*both.curvature()/(1 + sqr(Re/thin));
         }
         const scalar curvature =
-            (mesh_.nGeometricD() - 1)*speed/(mag(x.arm)*x.distance)
+            (mesh_.nGeometricD() - 1)*speed/(x.radius*x.distance)
           - (drive & slip)/(viscosity*speed);
         const scalar bounded = max(min(curvature, largest), scalar(0));
         link_[i] *= 1 + min(squares*bounded/(2*speed), most);

@@ -10,6 +10,7 @@ import time
 import h5py
 import numpy as np
 import pytest
+from dry_box import dry_box
 from grain_box import (
     assert_same_grains,
     control,
@@ -56,6 +57,39 @@ def test_stop_and_restart(clone, grains):
         assert whole.logged("Contacts  ").min() >= 30
     assert_same(whole, parts)
     assert track_lines(whole) == track_lines(parts)
+
+
+STOP = """
+    stop
+    {
+        type        runTimeControl;
+        libs        ("libutilityFunctionObjects.so");
+        conditions  { passed { type maxDuration; duration 0.0305; } }
+    }
+"""
+
+
+@pytest.mark.parametrize("solver", ["grainFoam", "dryGrainFoam"])
+def test_a_time_that_a_function_object_has_written_continues(clone, solver):
+    """A run that runTimeControl ends between two times of writing."""
+    whole, parts = (
+        grain_box(clone, CASES["few"], RADIUS, name=name)
+        if solver == "grainFoam"
+        else dry_box(clone, CASES["few"], RADIUS, dimension=2, name=name)
+        for name in ("a", "b")
+    )
+    for case in (whole, parts):
+        control(case, endTime=0.08, writeInterval=40)
+    whole.run(solver)
+    replace(parts, "system/controlDict", "functions\n{", f"functions\n{{{STOP}")
+    parts.run(solver)
+    assert 0.03 < float(parts.times[-1]) < 0.04
+    replace(parts, "system/controlDict", STOP, "")
+    parts.run(solver)
+    assert "The grains continue from" in parts.log
+    assert_same_grains(whole, parts)
+    if solver == "grainFoam":
+        assert_same(whole, parts)
 
 
 CLOSURES = """

@@ -24,6 +24,7 @@ Description
 #include "dryTimeStep.H"
 #include "fluidInput.H"
 #include "incompleteTimes.H"
+#include "writtenStates.H"
 
 template<int D>
 void run(Time& runTime, const fvMesh& mesh, const vector& g)
@@ -35,10 +36,11 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
     const sigFpe::ignore ignoreFpe;
 
     dryLedger<D> ledger(grains);
+    writtenStates states(runTime, {&grains});
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.run())
+    while (states.run())
     {
         grains.inject(nullptr);
         timeStep.set();
@@ -55,9 +57,7 @@ void run(Time& runTime, const fvMesh& mesh, const vector& g)
 
         if (runTime.writeTime())
         {
-            grains.beginWrite();
-            runTime.write();
-            grains.endWrite();
+            states.write();
         }
     }
 }

@@ -38,6 +38,7 @@ Description
 #include "vansFlow.H"
 #include "vapour.H"
 #include "vapourLedger.H"
+#include "writtenStates.H"
 
 int main(int argc, char *argv[])
 {
@@ -66,7 +67,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.run())
+    while (states.run())
     {
         carried.startStep();
         if (exchange.inject(fields.U))
@@ -157,11 +158,7 @@ int main(int argc, char *argv[])
          >= runTime.endTime().value() - 0.5*runTime.deltaTValue();
         if (runTime.writeTime() || (mesh.dynamic() && ends))
         {
-            grains.motion().beginWrite();
-            droplets.system().motion().beginWrite();
-            runTime.writeNow();
-            droplets.system().motion().endWrite();
-            grains.motion().endWrite();
+            states.write();
         }
     }
 

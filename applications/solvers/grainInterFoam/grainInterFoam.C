@@ -33,6 +33,7 @@ Description
 #include "sigFpe.H"
 #include "twoFluidControls.H"
 #include "vansFlow.H"
+#include "writtenStates.H"
 
 int main(int argc, char *argv[])
 {
@@ -61,7 +62,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.run())
+    while (states.run())
     {
         carried.startStep();
         exchange.inject(fields.U);
@@ -119,9 +120,7 @@ int main(int argc, char *argv[])
 
         if (runTime.writeTime())
         {
-            grains.motion().beginWrite();
-            runTime.write();
-            grains.motion().endWrite();
+            states.write();
         }
     }
 

@@ -38,6 +38,7 @@ Description
 #include "vansFlow.H"
 #include "vapour.H"
 #include "vapourLedger.H"
+#include "writtenStates.H"
 
 int main(int argc, char *argv[])
 {
@@ -66,7 +67,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.run())
+    while (states.run())
     {
         carried.startStep();
         if (exchange.inject(fields.U))
@@ -125,9 +126,7 @@ int main(int argc, char *argv[])
 
         if (runTime.writeTime())
         {
-            grains.motion().beginWrite();
-            runTime.write();
-            grains.motion().endWrite();
+            states.write();
         }
     }
 

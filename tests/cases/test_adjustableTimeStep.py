@@ -15,6 +15,7 @@ from grain_box import (
     ledger,
     replace,
     run_whole_and_parts,
+    tracks,
 )
 from test_restart import assert_same, track_lines
 
@@ -86,6 +87,52 @@ def test_times_of_writing_are_met_by_shorter_steps(clone):
     assert case.times[1:] == ["0.0077", "0.0154", "0.0231", "0.0308", "0.0385"]
     # The first step is that of controlDict
     assert steps(case)[1:].min() > 0.4 * steps(case).max()
+
+
+def write_tracks_each(case, interval):
+    entries = "writeControl    {};\n        writeInterval   {};"
+    replace(
+        case,
+        "system/controlDict",
+        entries.format("timeStep", 1),
+        entries.format("adjustableRunTime", interval),
+    )
+
+
+def test_times_of_function_objects_are_met_by_shorter_steps(clone):
+    """They are no multiples of each other, and two of them are next to each other at 0.0231."""
+    case = grain_box(clone, PILE, RADIUS)
+    adjusting(case, write_interval=0.0231, end=0.0462)
+    write_tracks_each(case, 0.0077001)
+    case.run("grainFoam")
+    assert case.times[1:] == ["0.0231", "0.0462"]
+    written = np.unique(tracks(case)[:, 0])
+    # Those within half of a step of a time of writing are there
+    met = [0.0077001, 0.0154002, 0.0231, 0.0308004, 0.0385005, 0.0462]
+    np.testing.assert_allclose(written, met, rtol=1e-9)
+    assert steps(case)[1:].min() > 0.3 * steps(case).max()
+
+
+def test_function_objects_alone_have_their_times_met(clone):
+    case = grain_box(clone, PILE, RADIUS)
+    adjusting(case, end=0.02)
+    control(case, writeControl="timeStep", writeInterval=1000)
+    write_tracks_each(case, 0.004)
+    case.run("grainFoam")
+    np.testing.assert_allclose(
+        np.unique(tracks(case)[:, 0]), [0.004, 0.008, 0.012, 0.016, 0.02], rtol=1e-9
+    )
+
+
+def test_stop_and_restart_with_times_of_function_objects(clone):
+    whole, parts = (grain_box(clone, PILE, RADIUS, name=name) for name in ("a", "b"))
+    for case in (whole, parts):
+        adjusting(case, end=0.08)
+        write_tracks_each(case, 0.008)
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
+    np.testing.assert_array_equal(ledger(parts)["time"], ledger(whole)["time"])
+    assert_same(whole, parts)
+    assert track_lines(whole) == track_lines(parts)
 
 
 def test_stop_and_restart(clone):

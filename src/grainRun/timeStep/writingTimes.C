@@ -9,6 +9,22 @@
 #include "dimensionSets.H"
 #include "IOdictionary.H"
 
+#include <algorithm>
+
+namespace
+{
+
+using namespace Foam;
+
+bool isMet(const dictionary& dict)
+{
+    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
+    return control == "adjustable" || control == "adjustableRunTime";
+}
+
+}
+
+
 Foam::writingTimes::writingTimes(Time& runTime)
 :
     time_(runTime),
@@ -30,7 +46,7 @@ Foam::writingTimes::writingTimes(Time& runTime)
     const scalar value = last.getOrDefault<scalar>("value", start_);
     if
     (
-        interval(runTime) < GREAT
+        gridLength(runTime) < GREAT
      && Time::timeName(value) == runTime.timeName()
     )
     {
@@ -42,11 +58,7 @@ Foam::writingTimes::writingTimes(Time& runTime)
 
 Foam::scalar Foam::writingTimes::interval(const Time& runTime)
 {
-    const word control
-    (
-        runTime.controlDict().getOrDefault<word>("writeControl", "timeStep")
-    );
-    if (control != "adjustable" && control != "adjustableRunTime")
+    if (!isMet(runTime.controlDict()))
     {
         return GREAT;
     }
@@ -58,24 +70,89 @@ Foam::scalar Foam::writingTimes::interval(const Time& runTime)
 }
 
 
+std::vector<Foam::scalar> Foam::writingTimes::intervalsOfFunctions
+(
+    const Time& runTime
+)
+{
+    std::vector<scalar> intervals;
+    const dictionary* functions = runTime.controlDict().findDict("functions");
+    if (!functions || !runTime.functionObjects().status())
+    {
+        return intervals;
+    }
+    for (const entry& item : *functions)
+    {
+        if
+        (
+            item.isDict()
+         && item.dict().getOrDefault("enabled", true)
+         && isMet(item.dict())
+        )
+        {
+            const scalar length =
+                item.dict().getOrDefault<scalar>("writeInterval", 0);
+            if (length > 0)
+            {
+                intervals.push_back(length);
+            }
+        }
+    }
+    return intervals;
+}
+
+
+Foam::scalar Foam::writingTimes::gridLength(const Time& runTime)
+{
+    const scalar ofFields = interval(runTime);
+    const std::vector<scalar> others(intervalsOfFunctions(runTime));
+    return
+        ofFields < GREAT || others.empty()
+      ? ofFields
+      : *std::min_element(others.begin(), others.end());
+}
+
+
+Foam::scalar Foam::writingTimes::toMultiple
+(
+    const scalar length,
+    const scalar gridLength,
+    const scalar margin
+) const
+{
+    // A start between two times of writing shifts them all; multiples of another
+    // length are on the grid to round-off
+    const scalar shift = std::remainder(start_, length);
+    const scalar origin =
+        mag(shift) > 1e-9*length ? onGrid(shift, gridLength) : 0;
+    const scalar elapsed = time_.value() - origin;
+    return length*(std::floor((elapsed + margin)/length) + 1) - elapsed;
+}
+
+
 Foam::scalar Foam::writingTimes::toNext(const scalar deltaT) const
 {
     const scalar length = interval(time_);
-    if (length >= GREAT)
-    {
-        return GREAT;
-    }
+    const scalar toFields =
+        length < GREAT ? toMultiple(length, length, 1e-6*deltaT) : GREAT;
 
-    // A start between two times of writing shifts them all
-    const scalar origin = onGrid(std::remainder(start_, length), length);
-    const scalar elapsed = time_.value() - origin;
-    return length*(std::floor((elapsed + 1e-6*deltaT)/length) + 1) - elapsed;
+    scalar next = toFields;
+    const scalar grid = gridLength(time_);
+    for (const scalar other : intervalsOfFunctions(time_))
+    {
+        const scalar toOther = toMultiple(other, grid, 0.5*deltaT);
+        if (toOther < min(next, toFields - 0.5*deltaT))
+        {
+            next = toOther;
+        }
+    }
+    return next;
 }
 
 
 Foam::scalar Foam::writingTimes::step(const scalar deltaT) const
 {
-    const scalar length = interval(time_);
+    const scalar length = gridLength(time_);
     if (length >= GREAT)
     {
         return deltaT;

@@ -74,6 +74,37 @@ NO_EMPTY = both(swap("0/U", "empty", "slip"), swap("0/p_rgh", "empty", "zeroGrad
 WEDGE_BACK = "(0 0 -0.01) (0.1 0 -0.02) (0.1 0.1 -0.02) (0 0.1 -0.01)"
 WEDGE_FRONT = "(0 0 0.01) (0.1 0 0.02) (0.1 0.1 0.02) (0 0.1 0.01)"
 
+# Opposite walls joined by interpolation
+AMI = [
+    swap(
+        BLOCKS,
+        f"{name}\n    {{\n        type    wall;",
+        f"{name}\n    {{\n        type    cyclicAMI; neighbourPatch {partner};"
+        f" transform translational; separationVector ({shift} 0 0);",
+    )
+    for name, partner, shift in [("left", "right", 0.1), ("right", "left", -0.1)]
+]
+AMI_FIELDS = [
+    swap(f"0/{field}", '"left|right|bottom|top"', '"left|right" { type cyclicAMI; } "bottom|top"')
+    for field in ("U", "p_rgh")
+]
+
+# A source of what the solver does not solve for
+OTHER_SOURCE = """FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }
+heater
+{
+    type scalarSemiImplicitSource;
+    selectionMode all;
+    volumeMode specific;
+    injectionRateSuSp { T (1 0); }
+}
+"""
+
+
+def other_source(case):
+    (case.path / "system/fvOptions").write_text(OTHER_SOURCE)
+
+
 # The box turned into a wedge of 11 degrees about an axis outside of it
 WEDGE = [
     swap(BLOCKS, "(0   0   0) (0.1 0   0) (0.1 0.1 0) (0   0.1 0)", WEDGE_BACK),
@@ -477,6 +508,16 @@ TABLE = [
         [GRAINS, "drag", "'shape'", "value disc", "sphere, as this mesh is three-dimensional"],
     ),
     ("wedge", meshed(*WEDGE), ["front", "'wedge'", "'empty'"]),
+    (
+        "cyclicAMI",
+        meshed(*AMI, *AMI_FIELDS),
+        ["polyMesh/boundary", "left", "'cyclicAMI'", "'cyclic'"],
+    ),
+    (
+        "sourceOfAnother",
+        other_source,
+        ["system/fvOptions", "'heater'", "sources and constraints of U"],
+    ),
     (
         "relaxation",
         swap(

@@ -5,9 +5,26 @@
 
 #include "meshPatches.H"
 
+#include "coupledPolyPatch.H"
+#include "cyclicPolyPatch.H"
 #include "error.H"
 #include "polyMesh.H"
+#include "processorPolyPatch.H"
 #include "Time.H"
+
+namespace
+{
+
+//- Has every face another one on the other side?
+bool joinsWholeFaces(const Foam::polyPatch& patch)
+{
+    return
+        !Foam::isA<Foam::coupledPolyPatch>(patch)
+     || Foam::isA<Foam::cyclicPolyPatch>(patch)
+     || Foam::isA<Foam::processorPolyPatch>(patch);
+}
+
+}
 
 void Foam::requireWholePatches(const polyMesh& mesh)
 {
@@ -38,6 +55,15 @@ void Foam::requireWholePatches(const polyMesh& mesh)
                 << "    allowed: " << polyPatch::dictionaryConstructorTablePtr_
                     ->sortedToc()
                 << exit(FatalError);
+        }
+
+        if (!joinsWholeFaces(patch))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " of " << file
+                << " is of type '" << patch.type() << "'" << nl
+                << "    allowed: patches that are not coupled, or 'cyclic', face"
+                << " by face" << exit(FatalError);
         }
     }
     if (next != mesh.nFaces())

@@ -17,12 +17,31 @@
 namespace
 {
 
+using namespace Foam;
+
+//- Fatal if one of them acts on no velocity
+void requireSourcesOf(const volVectorField& U, const fv::options& options)
+{
+    for (const fv::option& source : static_cast<const PtrList<fv::option>&>(options))
+    {
+        if (source.active() && source.applyToField(U.name()) == -1)
+        {
+            FatalIOErrorInFunction(options)
+                << "Entry '" << source.name().c_str() << "' has nothing to do"
+                << " with " << U.name() << nl
+                << "    allowed: sources and constraints of " << U.name()
+                << ", those of other fields are not there; active no"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 // OpenFOAM's kinds of options are in a library that takes longer to load than
 // all others together: only where a case has the dictionary
-Foam::fv::options& optionsOf(const Foam::fvMesh& mesh)
+fv::options& optionsOf(const volVectorField& U)
 {
-    using namespace Foam;
-
+    const fvMesh& mesh = U.mesh();
     const Time& time = mesh.time();
     for (const word& folder : {time.constant(), time.system()})
     {
@@ -32,7 +51,9 @@ Foam::fv::options& optionsOf(const Foam::fvMesh& mesh)
             const_cast<Time&>(time).libs().open(fileName("libfvOptions.so"));
         }
     }
-    return fv::options::New(mesh);
+    fv::options& options = fv::options::New(mesh);
+    requireSourcesOf(U, options);
+    return options;
 }
 
 } // End namespace
@@ -54,7 +75,7 @@ Foam::vansFlow::vansFlow
     viscosity_(viscosity),
     grains_(grains),
     resolved_(resolved),
-    options_(optionsOf(mesh_)),
+    options_(optionsOf(fields.U)),
     control_(control),
     g_(g),
     gh_(heightTimesGravity()),

@@ -96,10 +96,22 @@ def test_temperatures_stay_in_their_range_with_a_steep_capacity(clone):
     assert book["leastGrainT"].min() < 399
 
 
-def test_a_function_that_is_constant_is_a_number(clone):
+FILE = 'file "constant/Cp.dat"; outOfBounds clamp;'
+CONSTANT = {
+    "table": "Cp table ((300 1000) (400 1000));",
+    "coefficients": f"Cp tableFile; CpCoeffs {{ {FILE} }}",
+    "dictionary": f"Cp {{ type tableFile; {FILE} }}",
+}
+
+
+@pytest.mark.parametrize("form", CONSTANT)
+def test_a_function_that_is_constant_is_a_number(clone, form):
+    """In each form that OpenFOAM has for functions, and for checkGrains."""
     found = []
-    for name, Cp in (("number", "1000"), ("function", "table ((300 1000) (400 1000))")):
-        case = moving(clone, f"Cp {Cp}; kappa 0.6;", name)
+    for name, Cp in (("number", "Cp 1000;"), ("function", CONSTANT[form])):
+        case = moving(clone, f"{Cp} kappa 0.6;", name)
+        (case.path / "constant/Cp.dat").write_text("((300 1000) (400 1000))")
+        case.run("checkGrains")
         case.run("grainThermalFoam")
         found.append((case.field("T"), case.grains()["temperature"]))
     for one, other in zip(*found, strict=True):

@@ -61,6 +61,17 @@ def rain(clone, rate, name=None, dimension=2):
     return case
 
 
+def test_a_rate_that_is_a_function_may_have_its_coefficients_beside_it(clone):
+    file = 'massRate tableFile; massRateCoeffs { file "constant/rate.dat"; outOfBounds clamp; }'
+    number, function = rain(clone, "massRate 0.05;", "a"), rain(clone, file, "b")
+    (function.path / "constant/rate.dat").write_text("((0 0.05) (1 0.05))")
+    for case in (number, function):
+        control(case, endTime=0.1, writeInterval=50)
+        case.run("dryGrainFoam")
+    assert len(number.grains()["radius"]) > 3
+    assert_same_grains(number, function)
+
+
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_mean_rate_is_exact_and_books_close(clone, dimension):
     rate = {2: 0.05, 3: 0.006}[dimension]

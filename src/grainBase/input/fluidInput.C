@@ -6,6 +6,7 @@
 #include "fluidInput.H"
 
 #include "dictionaryInput.H"
+#include "functionEntries.H"
 #include "fvMesh.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -24,7 +25,7 @@ void Foam::checkTransportProperties
         "FoamFile", "rho", "transportModel", model + "Coeffs", "HeleShaw",
         "scalars", "Sct"
     });
-    allowed.append(others);
+    allowed.append(dictionaryInput::functionKeywords(dict, others));
     if (dict.found("mu") && others.found("mu"))
     {
         for (const word& name : {word("transportModel"), word("nu")})

@@ -37,13 +37,11 @@ void Foam::printBiotNumbers
             dictionaryInput::subDict(properties.coupling(), "heatTransfer"), D
         )
     );
+    const scalar T = meanTemperature(grains);
     const scalar Cp =
-        dictionaryInput::getPositive(transport, "Cp", dimHeatCapacity);
+        functionOfTemperature(transport, "Cp", dimHeatCapacity).at(T);
     const scalar k =
-        functionOfTemperature(transport, "kappa", dimConductivity).at
-        (
-            meanTemperature(grains)
-        );
+        functionOfTemperature(transport, "kappa", dimConductivity).at(T);
     const dictionary& materials = properties.dict().subDict("materials");
 
     scalar largest = 0;

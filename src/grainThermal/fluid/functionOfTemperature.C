@@ -6,7 +6,7 @@
 #include "functionOfTemperature.H"
 
 #include "dictionaryInput.H"
-#include "ITstream.H"
+#include "functionEntries.H"
 #include "StringStream.H"
 
 Foam::functionOfTemperature::functionOfTemperature
@@ -30,14 +30,21 @@ Foam::functionOfTemperature::functionOfTemperature
     {
         dictionaryInput::missing(dict, keyword, allowed);
     }
-    if (isFunction(dict, keyword))
+    if (dictionaryInput::isFunction(dict, keyword))
     {
-        const auto read = [&] { function_ = Function1<scalar>::New(keyword, dict); };
-        if (dictionaryInput::errorOf(read).size())
+        const string message
+        (
+            dictionaryInput::errorOf
+            (
+                [&] { function_ = Function1<scalar>::New(keyword, dict); }
+            )
+        );
+        if (message.size())
         {
             dictionaryInput::badValue
             (
-                dict, keyword, dictionaryInput::written(dict, keyword), allowed
+                dict, keyword,
+                dictionaryInput::written(dict, keyword) + ": " + message, allowed
             );
         }
     }
@@ -48,21 +55,6 @@ Foam::functionOfTemperature::functionOfTemperature
         constant.add(keyword, value);
         function_ = Function1<scalar>::New(keyword, constant);
     }
-}
-
-
-bool Foam::functionOfTemperature::isFunction
-(
-    const dictionary& dict,
-    const word& keyword
-)
-{
-    if (!dict.found(keyword))
-    {
-        return false;
-    }
-    const ITstream& written = dict.lookup(keyword);
-    return written.size() && written[0].isWord();
 }
 
 

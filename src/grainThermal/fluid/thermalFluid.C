@@ -6,6 +6,7 @@
 #include "thermalFluid.H"
 
 #include "dictionaryInput.H"
+#include "functionEntries.H"
 #include "heatDimensions.H"
 
 namespace
@@ -44,7 +45,7 @@ dimensionedScalar reference(const dictionary& dict)
 autoPtr<enthalpy> varyingCapacity(const dictionary& dict)
 {
     return
-        functionOfTemperature::isFunction(dict, "Cp")
+        dictionaryInput::isFunction(dict, "Cp")
       ? autoPtr<enthalpy>(new enthalpy(dict))
       : autoPtr<enthalpy>();
 }

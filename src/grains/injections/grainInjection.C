@@ -6,6 +6,7 @@
 #include "grainInjection.H"
 
 #include "dictionaryInput.H"
+#include "functionEntries.H"
 #include "nscd/shape/Append.hpp"
 #include "randomOrientation.H"
 #include "selected.H"
@@ -105,7 +106,10 @@ void Foam::grainInjection<D>::checkKeywords
     wordList own
 )
 {
-    own.append(injectionRate::keywords);
+    own.append
+    (
+        dictionaryInput::functionKeywords(dict, injectionRate::keywords)
+    );
     own.append
     (
         wordList

@@ -6,6 +6,7 @@
 #include "tableMotion.H"
 
 #include "dictionaryInput.H"
+#include "functionEntries.H"
 #include "readGeometry.H"
 
 addToSelection(wallMotion, wallMotions, table)
@@ -50,10 +51,12 @@ Foam::wallMotions::table<D>::table
     space_(space),
     axis_(nscd::Spin<D>::Zero())
 {
-    dictionaryInput::checkKeywords
+    wordList allowed({"type", "origin", "axis"});
+    allowed.append
     (
-        dict, {"type", "displacement", "angle", "origin", "axis"}
+        dictionaryInput::functionKeywords(dict, {"displacement", "angle"})
     );
+    dictionaryInput::checkKeywords(dict, allowed);
 
     if (!dict.found("displacement") && !dict.found("angle"))
     {

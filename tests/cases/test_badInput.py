@@ -514,6 +514,19 @@ TABLE = [
         ["polyMesh/boundary", "left", "'cyclicAMI'", "'cyclic'"],
     ),
     (
+        "setTimeStep",
+        both(
+            swap(CONTROL, "purgeWrite", "adjustTimeStep yes;\npurgeWrite"),
+            swap(
+                CONTROL,
+                "functions\n{",
+                "functions\n{ steps { type setTimeStep; deltaT 1e-4;"
+                ' libs ("libutilityFunctionObjects.so"); }',
+            ),
+        ),
+        [CONTROL, "functions.steps", "'type'", "setTimeStep", "maxDeltaT"],
+    ),
+    (
         "sourceOfAnother",
         other_source,
         ["system/fvOptions", "'heater'", "sources and constraints of U"],

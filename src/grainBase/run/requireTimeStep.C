@@ -18,4 +18,27 @@ void Foam::requireTimeStep(const Time& runTime)
             "a value > 0"
         );
     }
+
+    const dictionary* functions = runTime.controlDict().findDict("functions");
+    if (!functions || !runTime.functionObjects().status())
+    {
+        return;
+    }
+    for (const entry& item : *functions)
+    {
+        if
+        (
+            item.isDict()
+         && item.dict().getOrDefault("enabled", true)
+         && item.dict().getOrDefault<word>("type", "") == "setTimeStep"
+        )
+        {
+            dictionaryInput::badValue
+            (
+                item.dict(), "type", "setTimeStep",
+                "function objects that leave steps to the solver, which has"
+                " maxDeltaT of controlDict and its other limits"
+            );
+        }
+    }
 }

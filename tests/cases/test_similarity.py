@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Free surfaces do not know how large they are, nor which of the fluids is called water."""
+"""Runs do not know how large and heavy they are, nor which of two fluids is called water."""
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, replace, write_csv
+from grain_box import control, grain_box, lattice, replace, write_csv
+from heat_box import fix_grains, stream
+from test_motion import gamma
 from water_box import column, set_water, water_box
 
 FLUIDS = "constant/transportProperties"
@@ -95,3 +97,47 @@ def test_falling_grains_in_cells_of_a_micrometre(clone, scheme):
         speeds.append(case.field("U") / size)
     # The tolerance of the linear solvers
     np.testing.assert_allclose(*speeds, rtol=0, atol=1e-7 * np.abs(speeds[0]).max())
+
+
+def fixed_discs(clone, density):
+    """Discs of three cells, which no flow is resolved around, in a stream."""
+    centres = [(0.03, 0.024), (0.05, 0.061), (0.071, 0.04)]
+    case = grain_box(clone, centres, 0.0075, name=repr(density))
+    replace(case, "system/blockMeshDict", "(10 10 1)", "(20 20 1)")
+    case.run("blockMesh")
+    stream(case, 1.0)
+    fix_grains(case)
+    replace(case, FLUIDS, "[1 -3 0 0 0 0 0] 1000", repr(density))
+    control(case, deltaT=1e-3, endTime=0.03, writeInterval=30)
+    case.run("grainFoam")
+    return case
+
+
+def test_fixed_grains_in_fluids_of_any_density(clone):
+    """Fixed grains had one inertia in all, by which their drag was 1.02 to 1.3 of this one."""
+    base, *others = (fixed_discs(clone, 1000 * 2.0**power) for power in (0, -20, 20))
+    solved = base.logged("Solving for Ux, Initial residual = ")
+    for case in others:
+        # The tolerance of the linear solvers
+        np.testing.assert_allclose(case.field("U"), base.field("U"), rtol=0, atol=1e-9)
+    # Covered cells are not all that the equation's norm consists of
+    assert solved[1:].min() > 1e-9
+
+
+@pytest.mark.parametrize("mu", [0.1, 1e12])
+def test_fixed_bed_holds_a_fluid_of_any_viscosity(clone, mu):
+    """The law's drag: where gamma dt came near the inertia of fixed grains it was too small."""
+    n, spacing, d, speed = 20, 0.005, 0.004, 0.1
+    bed = lattice(n, n, spacing, (spacing / 2, spacing / 2))
+    case = grain_box(clone, bed, d / 2)
+    stream(case, speed)
+    fix_grains(case)
+    replace(case, FLUIDS, "1e-4", repr(mu / 1000))
+    control(case, deltaT=1, endTime=5, writeInterval=5)
+    case.run("grainFoam")
+    p = case.field("p_rgh").reshape(10, 10).mean(axis=0)
+    gradient = (p[3] - p[6]) / 0.03
+    eps = 1 - np.pi / 4 * (d / spacing) ** 2
+    slip = case.field("U").reshape(10, 10, 3)[:, 3:7, 0].mean()
+    law = (1 - eps) * gamma(slip, d, mu, eps) * slip / eps
+    assert gradient == pytest.approx(law, rel=1e-5)

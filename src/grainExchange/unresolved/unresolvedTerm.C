@@ -57,13 +57,23 @@ Foam::scalar Foam::unresolvedTerm::gamma
 ) const
 {
     const selfInduced::drag grain{*drag_, grains_.lawDiameter(graini), rho, mu};
-    return
+    const scalar own =
         (
             isLiquid
           ? undisturbed_.gammaInLiquid(grain, share, eps, mag(slip))
           : undisturbed_.gamma(graini, grain, share, eps, mag(slip))
         )
       + dragOfAddedMass(rho);
+    if (!grains_.motion().isFixed())
+    {
+        return own;
+    }
+
+    // Times the drag of a bed that hardly lets the fluid through, and inertia
+    constexpr scalar densest = 0.1, held = 1e4;
+
+    const scalar inertia = rho/grains_.mesh().time().deltaTValue();
+    return min(own, held*(inertia + grain.gamma(densest, mag(slip))));
 }
 
 
@@ -169,6 +179,9 @@ void Foam::unresolvedTerm::predict
     transfer_.resize(overlaps.size());
     const bool isFixed = grains_.motion().isFixed();
 
+    // Of the volume: what passes a cell that fixed grains cover
+    constexpr scalar least = 1e-3;
+
     // Of the whole grain: where it lies in the surface of two fluids, its parts in
     // them would fall and rise by themselves in what the fluid expects
     const scalarField displaced(weight_.displaced());
@@ -253,7 +266,8 @@ void Foam::unresolvedTerm::predict
             const scalar wa = w*t.a;
             const scalar wag = wa*t.gamma;
             const scalar wat = wa*deltaT/rhop;
-            fields.kappa[o.cell] += wat*t.gamma;
+            fields.kappa[o.cell] +=
+                isFixed ? w*max(least - cellEps[o.cell], scalar(0)) : wat*t.gamma;
             fields.beta[o.cell] += wag;
             fields.b[o.cell] += wag*t.free - w*e;
             fields.G[o.cell] += wa*t.free;

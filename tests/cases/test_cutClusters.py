@@ -18,15 +18,16 @@ from grain_box import (
     run_whole_and_parts,
     tracks,
 )
-from heat_box import fix_grains, stream
+from heat_box import fix_grains, stream, with_heat
 from sphere_box import SIDE, cyclic_cube, field, sphere_box
 from test_cutCells import FLUID, GRAINS, RHO, assert_ranks_agree, choose, with_cells
 from test_heatRuns import assert_books_close, settling
 from test_parallel import decompose
 from test_resolvedTurning import OMEGA, spinning, write_U
 from test_restart import assert_same
+from test_thermalRest import EXPANSION, GRADIENT, write_cells
 
-# All of a disc, in three parts of which two share boundaries with the first
+# Of which the first has all
 HIDDEN = "centres ((0 0 0) (0.3 0 0) (0 0.2 0)); radii (1 0.65 0.8);"
 
 
@@ -301,3 +302,25 @@ def test_momentum_of_fluid_and_spheres_is_kept(clone):
     lost = mass * (np.array([0.1, 0.03, -0.04]) - tracks(case)[-1, 5:8])
     assert np.linalg.norm(lost) > 0.1 * mass * 0.1
     np.testing.assert_allclose(fluid, lost, atol=0.01 * np.linalg.norm(lost))
+
+
+def test_a_rod_in_a_stratified_fluid_turns_level(clone):
+    """From rest, at the level of its density: the moment of the fluid's weight, -rho beta G g times
+    the integral of x y over it, moves the rod and the fluid that turns with it."""
+    angle, n = 0.5, 40
+    case = choose(with_cells(grain_box(clone, [(0.05, 0.05)], 0.02), n))
+    make_clusters(case, ROD, angle)
+    height = np.array([polygon.mean(axis=0)[1] for polygon in case.mesh().polygons]) - 0.05
+    fluid = f"Cp 1000; kappa 1e-20; beta {EXPANSION}; TRef 300;"
+    with_heat(case, 300 + GRADIENT * height, 300, fluid=fluid)
+    replace(case, GRAINS, "density 2500", f"density {RHO}")
+    replace(case, FLUID, "1e-4", "1e-6")
+    write_cells(case, "0/p_rgh", -0.5 * RHO * EXPANSION * GRADIENT * 9.81 * height**2)
+    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure; value uniform 0")
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+    control(case, deltaT=5e-4, endTime=0.02, writeInterval=40)
+    case.run("grainThermalFoam")
+    spin = tracks(case)[-1, 10]
+    ratio = -spin / 0.02 / (EXPANSION * GRADIENT * 9.81 * np.sin(2 * angle) / 2)
+    # With the inertia that potential flow around a plate and an ellipse adds
+    assert 0.40 < ratio < 0.46

@@ -92,6 +92,7 @@ void Foam::cutGrains::moveGrains(volVectorField& U)
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
     addForceOfCells(U, force, torque);
+    addMomentOfBuoyancy(torque);
     sumOverRanks(force);
     sumOverRanks(torque);
     leaveRotation(torque);

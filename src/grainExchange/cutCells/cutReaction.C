@@ -174,6 +174,21 @@ void Foam::cutGrains::sumLinks()
 }
 
 
+void Foam::cutGrains::addMomentOfBuoyancy(vectorField& torque) const
+{
+    forAll(torque, graini)
+    {
+        if (isCluster_[graini])
+        {
+            for (const cellOverlap& o : grains_.overlaps().of(graini))
+            {
+                torque[graini] += o.arm ^ weight_.forceInCell(o.volume, o.cell);
+            }
+        }
+    }
+}
+
+
 void Foam::cutGrains::leaveRotation(vectorField& torque) const
 {
     const scalarField mu(meanOverGrains(grains_, fluid_.mu()));
@@ -202,6 +217,7 @@ void Foam::cutGrains::addViscousTorque
     vectorField force(grains_.size(), Zero);
     vectorField given(grains_.size(), Zero);
     addForceOfCells(U, force, given);
+    addMomentOfBuoyancy(given);
 
     scalarField resistance(grains_.size(), Zero);
     const List<cutCells::wall>& walls = cells_.walls();

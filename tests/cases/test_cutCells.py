@@ -10,13 +10,13 @@ from grain_box import (
     cyclic_box,
     grain_box,
     ledger,
-    open_ends,
     replace,
     run_whole_and_parts,
     tracks,
 )
 from heat_box import fix_grains, stream, write_scalar
 from moving_frames import drag_and_jump, force
+from moving_together import SPEED, assert_they_go_on
 from sphere_box import SIDE, sphere_box
 from test_parallel import decompose
 from test_periodic import fixed
@@ -44,20 +44,8 @@ def with_cells(case, n):
 @pytest.mark.parametrize("density", [500, 1010, 7800])
 def test_fluid_and_grain_that_move_together_go_on(clone, density):
     """Nothing acts: cells that the grain takes and leaves on its way must not push it."""
-    speed = 0.1
-    case = choose(grain_box(clone, [(0.047, 0.04)], 0.01, velocity=[(0, speed)]))
-    open_ends(case, speed)
-    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
-    replace(case, GRAINS, "density 2500", f"density {density}")
-    with_cells(case, 40)
-    # A fifth of the cell size per step
-    control(case, deltaT=5e-3, endTime=0.2, writeInterval=40)
-    case.run("grainFoam")
-    motion = tracks(case)
-    # Round-off and the solvers' tolerance
-    np.testing.assert_allclose(motion[:, 6], speed, rtol=1e-9)
-    np.testing.assert_allclose(motion[:, [5, 10]], 0, atol=1e-9 * speed)
-    np.testing.assert_allclose(case.field("U")[:, 1], speed, rtol=1e-8)
+    case = choose(grain_box(clone, [(0.047, 0.04)], 0.01, velocity=[(0, SPEED)]))
+    assert_they_go_on(case, density)
 
 
 def test_grain_at_rest_has_its_buoyancy(clone):

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resolved clusters by the exact open parts of cells and faces."""
 
-import re
-
 import numpy as np
 import pytest
 from cluster_box import CROSS, PAIR, ROD, make_clusters
@@ -13,17 +11,17 @@ from grain_box import (
     grain_box,
     ledger,
     make_cyclic,
-    open_ends,
     replace,
     run_whole_and_parts,
     tracks,
 )
 from heat_box import fix_grains, stream, with_heat
+from moving_together import SPEED, assert_they_go_on
 from sphere_box import SIDE, cyclic_cube, field, sphere_box
 from test_cutCells import FLUID, GRAINS, RHO, assert_ranks_agree, choose, with_cells
 from test_heatRuns import assert_books_close, settling
 from test_parallel import decompose
-from test_resolvedTurning import OMEGA, spinning, write_U
+from test_resolvedTurning import shear_fluid, spinning, turn_fluid
 from test_restart import assert_same
 from test_thermalRest import EXPANSION, GRADIENT, write_cells
 
@@ -67,21 +65,9 @@ def test_members_that_meet_on_faces_leave_a_flow_even(clone, turned):
 
 @pytest.mark.parametrize("density, members", [(500, ROD), (7800, CROSS)], ids=["rod", "cross"])
 def test_fluid_and_cluster_that_move_together_go_on(clone, density, members):
-    speed = 0.1
-    case = choose(grain_box(clone, [(0.047, 0.04)], 0.015, velocity=[(0, speed)]))
+    case = choose(grain_box(clone, [(0.047, 0.04)], 0.015, velocity=[(0, SPEED)]))
     make_clusters(case, members, 0.4)
-    open_ends(case, speed)
-    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {speed} 0)")
-    replace(case, GRAINS, "density 2500", f"density {density}")
-    with_cells(case, 40)
-    # A fifth of the cell size per step
-    control(case, deltaT=5e-3, endTime=0.2, writeInterval=40)
-    case.run("grainFoam")
-    motion = tracks(case)
-    # Round-off and the solvers' tolerance
-    np.testing.assert_allclose(motion[:, 6], speed, rtol=1e-9)
-    np.testing.assert_allclose(motion[:, [5, 10]], 0, atol=1e-9 * speed)
-    np.testing.assert_allclose(case.field("U")[:, 1], speed, rtol=1e-8)
+    assert_they_go_on(case, density)
 
 
 def test_a_rod_turns_with_fluid_that_turns_as_a_body(clone):
@@ -89,20 +75,15 @@ def test_a_rod_turns_with_fluid_that_turns_as_a_body(clone):
     case = choose(grain_box(clone, [(0.05, 0.05)], 0.016))
     make_clusters(case, ROD, 0.3, omega)
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({n} {n} 1)")
-    path = case.path / "system/blockMeshDict"
-    path.write_text(re.sub(r"(\w+\n +\{\n +type +)wall;", r"\1patch;", path.read_text()))
-    case.run("blockMesh")
+    turn_fluid(case, omega, n)
     replace(case, GRAINS, "density 2500", "density 1000")
     replace(case, "constant/g", "-9.81", "0")
     replace(case, FLUID, "1e-4", "1e-5")
     replace(case, "system/fvSchemes", "U)   Gauss linear", "U)   Gauss linearUpwind grad(U)")
     replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
-    write_U(case, lambda x, y: (-omega * y, omega * x), ["left", "right", "bottom", "top"], n)
-    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure; value uniform 0")
     dt = 0.1 * 2 * np.pi / omega / steps
     control(case, deltaT=dt, endTime=dt * steps, writeInterval=steps)
     case.run("grainFoam")
-    # Without 2 mu V omega it loses as much in four steps
     assert case.grains()["spin"][0] / omega == pytest.approx(1, abs=0.005)
 
 
@@ -125,16 +106,11 @@ def in_shear(clone, members, angle, n, time):
     case = choose(grain_box(clone, [(0.05, 0.05)], radius, name=f"{n}_{angle}"))
     make_clusters(case, members, angle, -shear / 2)
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({n} {n} 1)")
-    make_cyclic(case, ("left", "right"))
-    case.run("blockMesh")
+    shear_fluid(case, shear, n)
     replace(case, GRAINS, "density 2500", "density 1000")
     replace(case, "constant/g", "-9.81", "0")
     replace(case, FLUID, "1e-4", repr(nu))
     replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
-    write_U(case, lambda x, y: (shear * y, 0 * y), ["bottom", "top"], n)
-    patches = '"left|right" { type cyclic; } "bottom|top"'
-    replace(case, "0/p_rgh", '"left|right|bottom|top"', patches)
-    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
     dt = 0.7 * (0.1 / n) ** 2 / nu
     steps = round(time / dt)
     control(case, deltaT=dt, endTime=dt * steps, writeInterval=steps)

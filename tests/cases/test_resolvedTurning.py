@@ -84,6 +84,25 @@ def write_U(case, velocity, sides, n=20):
     )
 
 
+def shear_fluid(case, shear, n=20):
+    """Between the bottom and the top of a box without ends."""
+    make_cyclic(case, ("left", "right"))
+    case.run("blockMesh")
+    write_U(case, lambda x, y: (shear * y, 0 * y), ["bottom", "top"], n)
+    patches = '"left|right" { type cyclic; } "bottom|top"'
+    replace(case, "0/p_rgh", '"left|right|bottom|top"', patches)
+    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
+
+
+def turn_fluid(case, omega, n=20):
+    """As a body, through the sides of the box."""
+    path = case.path / "system/blockMeshDict"
+    path.write_text(re.sub(r"(\w+\n +\{\n +type +)wall;", r"\1patch;", path.read_text()))
+    case.run("blockMesh")
+    write_U(case, lambda x, y: (-omega * y, omega * x), ["left", "right", "bottom", "top"], n)
+    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure; value uniform 0")
+
+
 def turning_with_the_fluid(clone, radius, spin, nu, name=None):
     """A disc of the fluid's density in the middle, without weight."""
     case = grain_box(clone, [(0.05, 0.05)], radius, name=name)
@@ -108,12 +127,7 @@ def test_a_disc_turns_with_the_shear(clone, Re, courant, low, high):
     """Half of the shear rate in creeping flow, less with inertia (0.41 in cut cells at Re 10)."""
     shear, radius = 10.0, 0.01
     case = turning_with_the_fluid(clone, radius, -shear / 2, shear * (2 * radius) ** 2 / Re)
-    make_cyclic(case, ("left", "right"))
-    case.run("blockMesh")
-    write_U(case, lambda x, y: (shear * y, 0 * y), ["bottom", "top"])
-    patches = '"left|right" { type cyclic; } "bottom|top"'
-    replace(case, "0/p_rgh", '"left|right|bottom|top"', patches)
-    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
+    shear_fluid(case, shear)
     dt = courant * 0.005 / (shear * 0.05)
     steps = round((0.1 if Re < 5 else 0.5) / dt)
     control(case, deltaT=dt, endTime=dt * steps, writeInterval=steps)
@@ -125,11 +139,7 @@ def test_a_disc_turns_with_fluid_that_turns_as_a_body(clone):
     """In 1/10 of a turn it lost up to 0.9 of its spin, the more the finer the cells."""
     omega = 5.0
     case = turning_with_the_fluid(clone, 0.016, omega, 1e-5)
-    path = case.path / "system/blockMeshDict"
-    path.write_text(re.sub(r"(\w+\n +\{\n +type +)wall;", r"\1patch;", path.read_text()))
-    case.run("blockMesh")
-    write_U(case, lambda x, y: (-omega * y, omega * x), ["left", "right", "bottom", "top"])
-    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure; value uniform 0")
+    turn_fluid(case, omega)
     steps = 200
     dt = 0.1 * 2 * np.pi / omega / steps
     control(case, deltaT=dt, endTime=dt * steps, writeInterval=steps)

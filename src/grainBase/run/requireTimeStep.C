@@ -6,6 +6,7 @@
 #include "requireTimeStep.H"
 
 #include "dictionaryInput.H"
+#include "enabledFunctions.H"
 #include "Time.H"
 
 void Foam::requireTimeStep(const Time& runTime)
@@ -19,23 +20,13 @@ void Foam::requireTimeStep(const Time& runTime)
         );
     }
 
-    const dictionary* functions = runTime.controlDict().findDict("functions");
-    if (!functions || !runTime.functionObjects().status())
+    for (const dictionary* dict : enabledFunctions(runTime))
     {
-        return;
-    }
-    for (const entry& item : *functions)
-    {
-        if
-        (
-            item.isDict()
-         && item.dict().getOrDefault("enabled", true)
-         && item.dict().getOrDefault<word>("type", "") == "setTimeStep"
-        )
+        if (dict->getOrDefault<word>("type", "") == "setTimeStep")
         {
             dictionaryInput::badValue
             (
-                item.dict(), "type", "setTimeStep",
+                *dict, "type", "setTimeStep",
                 "function objects that leave steps to the solver, which has"
                 " maxDeltaT of controlDict and its other limits"
             );

@@ -59,7 +59,10 @@ void Foam::cutGrains::setResistance()
         add(x.grain, resistanceInside(x), armOf(x.grain, x.cell));
     }
     sumOverRanks(resists_);
-    sumOverRanks(resistsTurning_);
+    if (isCluster_.found(true))
+    {
+        sumOverRanks(resistsTurning_);
+    }
 }
 
 
@@ -92,10 +95,13 @@ void Foam::cutGrains::moveGrains(volVectorField& U)
     vectorField force(grains_.size(), Zero);
     vectorField torque(grains_.size(), Zero);
     addForceOfCells(U, force, torque);
-    addMomentOfBuoyancy(torque);
     sumOverRanks(force);
-    sumOverRanks(torque);
-    leaveRotation(torque);
+    if (isCluster_.found(true))
+    {
+        addMomentOfBuoyancy(torque);
+        sumOverRanks(torque);
+        leaveRotation(torque);
+    }
 
     const List<grainMotion::twist> last(motion_);
     const grainMotion& motion = grains_.motion();

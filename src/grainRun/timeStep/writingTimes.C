@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "dimensionSets.H"
+#include "enabledFunctions.H"
 #include "IOdictionary.H"
 
 #include <algorithm>
@@ -76,26 +77,13 @@ std::vector<Foam::scalar> Foam::writingTimes::intervalsOfFunctions
 )
 {
     std::vector<scalar> intervals;
-    const dictionary* functions = runTime.controlDict().findDict("functions");
-    if (!functions || !runTime.functionObjects().status())
+    for (const dictionary* dict : enabledFunctions(runTime))
     {
-        return intervals;
-    }
-    for (const entry& item : *functions)
-    {
-        if
-        (
-            item.isDict()
-         && item.dict().getOrDefault("enabled", true)
-         && isMet(item.dict())
-        )
+        const scalar length =
+            isMet(*dict) ? dict->getOrDefault<scalar>("writeInterval", 0) : 0;
+        if (length > 0)
         {
-            const scalar length =
-                item.dict().getOrDefault<scalar>("writeInterval", 0);
-            if (length > 0)
-            {
-                intervals.push_back(length);
-            }
+            intervals.push_back(length);
         }
     }
     return intervals;

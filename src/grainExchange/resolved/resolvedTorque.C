@@ -37,7 +37,7 @@ void Foam::resolvedGrains::addTorque
 
     // Torque of each grain, and how much less it would be per spin
     vectorField viscous(grains_.size(), Zero);
-    scalarField resistance(grains_.size(), Zero);
+    tensorField resistance(grains_.size(), Zero);
 
     forFluidFaces
     (
@@ -60,28 +60,29 @@ void Foam::resolvedGrains::addTorque
             );
             viscous[graini] += arm ^ f;
             resistance[graini] +=
-                resolvedFace::at(perSpeed, patchi, facei)*magSqr(arm);
+                resolvedFace::at(perSpeed, patchi, facei)
+               *(magSqr(arm)*tensor::I - arm*arm);
         }
     );
     sumOverRanks(viscous);
     sumOverRanks(resistance);
 
     const scalarField grainMu(meanOverGrains(grains_, fluid_.mu()));
-    const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
+    const grainMotion& motion = grains_.motion();
+    const scalar deltaT = mesh_.time().deltaTValue();
     forAll(torque, graini)
     {
         if (!isResolved_[graini])
         {
             continue;
         }
-        const scalar V = grains_.mappedVolume()[graini];
-        const scalar inertia =
-            V*grains_.motion().density(graini)
-           *squaredGyration*sqr(grains_.fluidDiameter(graini));
-
+        const tensor inertia(motion.momentOfInertia(graini)/deltaT);
         torque[graini] +=
-            (viscous[graini] - 2*grainMu[graini]*V*grains_.motion().spin(graini))
-           /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
+            viscous[graini]
+          - 2*grainMu[graini]*grains_.mappedVolume()[graini]
+           *motion.spin(graini);
+        torque[graini] =
+            inertia & inv(inertia + resistance[graini]) & torque[graini];
     }
 }
 
@@ -149,9 +150,10 @@ void Foam::resolvedGrains::addPressureTorque
             const vector S(sign*resolvedFace::at(mesh_.Sf(), patchi, facei));
             const vector turn
             (
+                between
                 (
-                    between(grains_.centres()[graini], inGrain.x)
-                  + inMesh(x - inGrain.x)
+                    grains_.centres()[graini],
+                    deepestMember(graini, x).centre
                 )
               ^ S
             );

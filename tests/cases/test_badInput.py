@@ -105,6 +105,33 @@ def other_source(case):
     (case.path / "system/fvOptions").write_text(OTHER_SOURCE)
 
 
+# A porosity whose law asks for OpenFOAM's transport model
+POROSITY = """FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }
+plug
+{
+    type explicitPorositySource;
+    explicitPorositySourceCoeffs
+    {
+        selectionMode cellZone;
+        cellZone porous;
+        type DarcyForchheimer;
+        d (1e5 1e5 1e5);
+        f (0 0 0);
+        coordinateSystem { origin (0 0 0); e1 (1 0 0); e2 (0 1 0); }
+    }
+}
+"""
+EVERYWHERE = "source boxToCell; box (0 0 0) (1 1 1);"
+ZONE = f"actions ({{ name porous; type cellZoneSet; action new; {EVERYWHERE} }});"
+
+
+def porosity(case):
+    (case.path / "system/fvOptions").write_text(POROSITY)
+    header = "FoamFile { version 2.0; format ascii; class dictionary; object topoSetDict; }"
+    (case.path / "system/topoSetDict").write_text(f"{header}\n{ZONE}\n")
+    case.run("topoSet")
+
+
 # The box turned into a wedge of 11 degrees about an axis outside of it
 WEDGE = [
     swap(BLOCKS, "(0   0   0) (0.1 0   0) (0.1 0.1 0) (0   0.1 0)", WEDGE_BACK),
@@ -530,6 +557,11 @@ TABLE = [
         "sourceOfAnother",
         other_source,
         ["system/fvOptions", "'heater'", "sources and constraints of U"],
+    ),
+    (
+        "porosityWithoutModel",
+        porosity,
+        ["system/fvOptions", "'plug'", "DarcyForchheimer", "transportModel Newtonian"],
     ),
     (
         "relaxation",

@@ -19,6 +19,34 @@ namespace
 
 using namespace Foam;
 
+//- Fatal if it is a porosity whose law asks for a viscosity that is not there
+void requireViscosity(const fv::options& options, const fv::option& source)
+{
+    const word law("DarcyForchheimer");
+    if (source.coeffs().getOrDefault<word>("type", word::null) != law)
+    {
+        return;
+    }
+    const dictionary& coeffs = source.coeffs().optionalSubDict(law + "Coeffs");
+    const fvMesh& mesh = source.mesh();
+    if
+    (
+        !mesh.foundObject<volScalarField>(coeffs.getOrDefault<word>("nu", "nu"))
+     && !mesh.foundObject<volScalarField>
+        (
+            coeffs.getOrDefault<word>("mu", "thermo:mu")
+        )
+    )
+    {
+        FatalIOErrorInFunction(options)
+            << "Entry '" << source.name().c_str() << "' (" << law << ") needs the"
+            << " fluid's viscosity as OpenFOAM's transport model has it" << nl
+            << "    allowed: transportModel Newtonian; in"
+            << " constant/transportProperties" << exit(FatalIOError);
+    }
+}
+
+
 //- Fatal if one of them acts on no velocity
 void requireSourcesOf(const volVectorField& U, const fv::options& options)
 {
@@ -32,6 +60,10 @@ void requireSourcesOf(const volVectorField& U, const fv::options& options)
                 << "    allowed: sources and constraints of " << U.name()
                 << ", those of other fields are not there; active no"
                 << exit(FatalIOError);
+        }
+        if (source.active())
+        {
+            requireViscosity(options, source);
         }
     }
 }

@@ -390,3 +390,63 @@ def test_walls_may_be_in_another_order_after_a_restart(clone, dimension):
     parts.run("dryGrainFoam")
     for t in ("position", "velocity"):
         np.testing.assert_allclose(parts.grains()[t], whole.grains()[t], atol=1e-12)
+
+
+# Whose principal axes are turned from the frame of its centres
+BENT = np.array([[-1.2, 0, 0], [0.5, 0.4, 0], [1.2, 1.3, 0]])
+
+
+@pytest.mark.parametrize("turned", [True, False])
+@DIMENSIONS
+def test_a_cluster_of_a_file_lies_as_its_centres_do(clone, dimension, turned):
+    """Turned by its quaternion if it has one.  It lay with its principal axes along the mesh, an
+    elongated one up to 45 degrees from what its centres say."""
+    case = dry_box(clone, [(0.05, 0.04, 0.06)[:dimension]], 0.02, dimension=dimension)
+    centres = BENT + (0 if dimension == 2 else [[0, 0, 0.3], [0, 0, -0.2], [0, 0, 1.1]])
+    points = " ".join(f"({x} {y} {z})" for x, y, z in centres)
+    add(case, f"shapes {{ bent {{ type cluster; centres ({points}); radii (1 0.9 0.6); }} }}")
+    axis = np.array([0, 0, 1] if dimension == 2 else [2, -1, 2]) / (1 if dimension == 2 else 3)
+    half = 0.35 if turned else 0.0
+    file = case.path / "constant/grains.csv"
+    header, line = file.read_text().splitlines()
+    q = ",".join(repr(float(u)) for u in (np.cos(half), *np.sin(half) * axis))
+    if turned:
+        file.write_text(f"{header},shape,qw,qx,qy,qz\n{line},bent,{q}\n")
+    else:
+        file.write_text(f"{header},shape\n{line},bent\n")
+    replace(case, "constant/g", "-9.81", "0")
+    control(case, deltaT=1e-3, endTime=1e-3, writeInterval=1)
+    case.run("dryGrainFoam")
+    case.run("foamToVTK -ascii -latestTime")
+    (cloud,) = (case.path / "VTK").rglob("lagrangian/members/*.vtp")
+    text = cloud.read_text().split("<Points>")[1].split(">", 1)[1].split("<")[0]
+    members = np.array(text.split(), dtype=float).reshape(-1, 3)
+    # Rodrigues's formula
+    given = centres - centres[0]
+    cross = np.cross(axis, given)
+    given = given + np.sin(2 * half) * cross + (1 - np.cos(2 * half)) * np.cross(axis, cross)
+    found = members - members[0]
+    size = np.linalg.norm(found[1]) / np.linalg.norm(given[1])
+    # The file has six digits
+    np.testing.assert_allclose(found, size * given, atol=5e-7)
+
+
+def test_packGrains_gives_clusters_as_it_takes_them(clone):
+    case = dry_box(clone, [(0.05, 0.04)], 0.02, dimension=2)
+    points = " ".join(f"({x} {y} {z})" for x, y, z in BENT)
+    add(case, f"shapes {{ bent {{ type cluster; centres ({points}); radii (1 0.9 0.6); }} }}")
+    file = case.path / "constant/grains.csv"
+    header, line = file.read_text().splitlines()
+    q = [np.cos(0.35), 0, 0, np.sin(0.35)]
+    row = ",".join(map(repr, map(float, q)))
+    (case.path / "constant/given.csv").write_text(
+        f"{header},shape,qw,qx,qy,qz\n{line},bent,{row}\n"
+    )
+    (case.path / "system/packGrainsDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object packGrainsDict; }\n"
+        'type csv; file "constant/given.csv"; material glass;\n'
+    )
+    case.run("packGrains")
+    header, line = file.read_text().splitlines()
+    values = dict(zip(header.split(","), line.split(",")))
+    np.testing.assert_allclose([float(values[k]) for k in ("qw", "qx", "qy", "qz")], q, atol=1e-6)

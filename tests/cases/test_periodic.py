@@ -19,7 +19,7 @@ def falling(clone, name, centre, cells, method="exactOverlap", pair=False):
     replace(case, "constant/g", "(0 0 0)", "(5 -9.81 0)")
     replace(case, GRAINS, "exactOverlap", method)
     if pair:
-        shape = "shapes { pair { type cluster; centres ((0 0 0) (2 1 0)); radii (2 2); } }\n"
+        shape = "shapes { pair { type cluster; centres ((0 0 0) (2.236 0 0)); radii (2 2); } }\n"
         replace(case, GRAINS, "walls\n{}", shape + "walls\n{}")
         grains = case.path / "constant/grains.csv"
         header, line = grains.read_text().splitlines()

@@ -123,7 +123,16 @@ void pack(const fvMesh& mesh, const dictionary& dict)
         }
         if (grains.clusters.size())
         {
-            const quaternion q(space.orientationInSpace(grains.orientation[i]));
+            const quaternion q
+            (
+                space.orientationInSpace
+                (
+                    properties.shapes().ofCentres
+                    (
+                        grains.shape[i], grains.orientation[i]
+                    )
+                )
+            );
             os  << ',' << properties.shapes().name(grains.shape[i])
                 << ',' << q.w() << ',' << q.v().x() << ',' << q.v().y()
                 << ',' << q.v().z();

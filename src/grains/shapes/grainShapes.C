@@ -56,13 +56,15 @@ Foam::grainShapes<D>::grainShapes
         );
         try
         {
-            clusters_.push_back
+            const nscd::PlacedCluster<D> placed
             (
-                nscd::makeCluster<D>
+                nscd::placedCluster<D>
                 (
                     centres, std::vector<double>(radii.begin(), radii.end())
                 )
             );
+            clusters_.push_back(placed.shape);
+            axes_.push_back(placed.orientation);
         }
         catch (const std::exception& err)
         {

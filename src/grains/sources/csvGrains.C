@@ -39,6 +39,36 @@ Foam::grainSources::csv<D>::csv
 }
 
 
+namespace
+{
+
+using namespace Foam;
+
+//- By which the frame of a cluster's centres is turned
+quaternion turn(const csvTable& table, const label i)
+{
+    if (!table.found("qw"))
+    {
+        return quaternion(quaternion::I);
+    }
+    const quaternion q
+    (
+        table.number("qw", i),
+        vector
+        (
+            table.number("qx", i), table.number("qy", i), table.number("qz", i)
+        )
+    );
+    if (mag(mag(q) - 1) > 1e-6)
+    {
+        table.badValue("qw,qx,qy,qz", i, "a quaternion of length 1");
+    }
+    return q;
+}
+
+}
+
+
 template<int D>
 nscd::Grains<D> Foam::grainSources::csv<D>::read() const
 {
@@ -127,17 +157,13 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
             result.mass[i] =
                 materials.density(material)*space.volume(result, i);
         }
-        if (table.found("qw"))
+        if (table.found("shape"))
         {
-            const quaternion q
-            (
-                table.number("qw", i), vectorOf("qx", "qy", "qz", i)
-            );
-            if (mag(mag(q) - 1) > 1e-6)
-            {
-                table.badValue("qw,qx,qy,qz", i, "a quaternion of length 1");
-            }
-            result.orientation[i] = space.orientationFromSpace(q);
+            result.orientation[i] =
+                this->context_.shapes.ofAxes
+                (
+                    result.shape[i], space.orientationFromSpace(turn(table, i))
+                );
         }
 
         if (hasMaterials)

@@ -132,18 +132,18 @@ Foam::vector Foam::unresolvedTerm::torqueOfLaw
 {
     const label D = grains_.mesh().nGeometricD();
     const scalar R = grains_.members(graini)[0].radius;
-    const scalar rhop = grains_.motion().density(graini);
-    const vector lack
-    (
-        0.5*vorticity(gradU) - grains_.motion().motion(graini).spin
-    );
+    const grainMotion& motion = grains_.motion();
+    const scalar rhop = motion.density(graini);
+    const vector lack(0.5*vorticity(gradU) - motion.motion(graini).spin);
     const scalar rate = turning::rate
     (
         D, grains_.lawDiameter(graini), rhop,
         fluid_.rho()[o.cell], fluid_.mu()[o.cell], mag(lack)
     );
     const scalar deltaT = grains_.mesh().time().deltaTValue();
-    return rhop*o.volume*sqr(R)/(D == 2 ? 2 : 2.5)*rate/(1 + deltaT*rate)*lack;
+    return
+        rhop*o.volume*sqr(R)/(D == 2 ? 2 : 2.5)*rate/(1 + deltaT*rate)
+       *(lack - motion.contactChange(graini, deltaT).spin);
 }
 
 

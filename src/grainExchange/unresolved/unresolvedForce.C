@@ -140,9 +140,13 @@ Foam::vector Foam::unresolvedTerm::torqueOfLaw
         D, grains_.lawDiameter(graini), rhop,
         fluid_.rho()[o.cell], fluid_.mu()[o.cell], mag(lack)
     );
+    const scalar gyration = sqr(R)/(D == 2 ? 2 : 2.5);
+    // packingRatio shows the fluid another radius than that of the inertia
+    const scalar seen =
+        motion.mass(graini)*gyration/motion.momentOfInertia(graini).zz();
     const scalar deltaT = grains_.mesh().time().deltaTValue();
     return
-        rhop*o.volume*sqr(R)/(D == 2 ? 2 : 2.5)*rate/(1 + deltaT*rate)
+        rhop*o.volume*gyration*rate/(1 + seen*rate*deltaT)
        *(lack - motion.contactChange(graini, deltaT).spin);
 }
 

@@ -114,21 +114,38 @@ def test_light_cylinder_falls_as_far_with_longer_steps(clone):
     assert depth[0] == pytest.approx(depth[1], rel=0.01)
 
 
-@pytest.mark.parametrize("density", [1500, 8000])
-def test_released_disc_has_its_added_mass_from_the_first_step(clone, density):
-    """Its surface goes on with it: 2.9 and 0.4 % were measured where it lagged, 1.0 and 0.1 %
-    now.  The added mass itself, 1.17 to 1.20 of the displaced fluid, is that of its steps."""
+def released(clone, density, predictor="yes"):
+    """Accelerations of a disc in the first steps."""
     delta_t, steps = 1e-4, 8
     case = grain_box(clone, [(0.0503, 0.0504)], 0.00625)
     replace(case, "system/blockMeshDict", "(10 10 1)", "(80 80 1)")
     case.run("blockMesh")
     replace(case, GRAINS, "density 2500", f"density {density}")
     replace(case, FLUID, "1e-4", "1e-6")
+    case.dict_set("system/fvSolution", "PISO/momentumPredictor", predictor)
     control(case, deltaT=delta_t, endTime=steps * delta_t, writeInterval=steps)
     case.run("grainFoam")
-    a = np.diff(tracks(case)[:, 6], prepend=0) / delta_t
+    return np.diff(tracks(case)[:, 6], prepend=0) / delta_t
+
+
+@pytest.mark.parametrize("density", [1500, 8000])
+def test_released_disc_has_its_added_mass_from_the_first_step(clone, density):
+    """Its surface goes on with it: 2.9 and 0.4 % were measured where it lagged, 1.0 and 0.1 %
+    now.  The added mass itself, 1.17 to 1.20 of the displaced fluid, is that of its steps."""
+    a = released(clone, density)
     np.testing.assert_allclose(a, a[-1], rtol=0.015 if density == 1500 else 0.003)
     added = -(density - RHO) * G / a[-1] - density
+    assert 1.03 * RHO <= added <= 1.25 * RHO
+
+
+@pytest.mark.parametrize("density", [1, 10, 100])
+def test_disc_much_lighter_than_the_fluid_rises_from_the_first_step(clone, density):
+    """Without a predictor; with one that of a thousandth of the density sinks at first.  The layer
+    at its surface grows: 2 % were measured."""
+    a = released(clone, density, predictor="no")
+    np.testing.assert_allclose(a, a[-1], rtol=0.03)
+    added = (RHO - density) * G / a[-1] - density
+    print("accelerations", a, "added", added / RHO)
     assert 1.03 * RHO <= added <= 1.25 * RHO
 
 

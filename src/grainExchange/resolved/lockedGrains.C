@@ -23,6 +23,7 @@ Foam::lockedGrains::lockedGrains
     fluid_(fluid),
     weight_(grains, fluid),
     cells_(grains, fluid, from),
+    areLight_(false),
     freeU_
     (
         IOobject("freeU", mesh_.time().timeName(), mesh_),
@@ -100,6 +101,27 @@ void Foam::lockedGrains::setFreeOfLast(const scalarField& rho)
 }
 
 
+bool Foam::lockedGrains::areLight(const scalarField& rho) const
+{
+    // Density over the fluid's below which the corrections of the pressure do not take
+    // back what the predictor makes of the free motion
+    constexpr scalar light = 0.03;
+
+    for (label graini = 0; graini < grains_.size(); ++graini)
+    {
+        if
+        (
+            cells_.isResolved(graini)
+         && grains_.motion().density(graini) < light*rho[graini]
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::lockedGrains::update()
 {
     cells_.update();
@@ -107,6 +129,7 @@ void Foam::lockedGrains::update()
     if (isActive())
     {
         const scalarField rho(weight_.displaced());
+        areLight_ = !grains_.motion().isFixed() && areLight(rho);
         setFreeMotion(rho);
         if (!grains_.motion().isFixed())
         {
@@ -204,6 +227,11 @@ void Foam::lockedGrains::predict
     if (!isActive())
     {
         resolvedTerm::predict(UEqn, pressureForce);
+        return;
+    }
+
+    if (areLight_)
+    {
         return;
     }
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from cluster_box import ROD, make_clusters
 from grain_box import control, grain_box, make_cyclic, replace, tracks
+from test_cutCells import choose
 from water_box import level, water_box
 
 GRAINS = "constant/grainProperties"
@@ -212,3 +213,23 @@ def test_cells_that_grow_do_not_push_a_grain(clone, density, rho, nu):
     assert graded == pytest.approx(even, rel=0.005 if rho < 2 else 0.12)
     # 0.7 % less on cells of one size, 1.9 % more here
     assert shorter == pytest.approx(graded, rel=0.005 if rho < 2 else 0.03)
+
+
+def test_a_disc_rolls_as_far_with_longer_steps(clone):
+    """Under a viscous fluid, without slip.  Friction gives back the spin the fluid takes: while
+    the torque knew of the free spin alone it went 1.15 times as far with 4 ms as with 1 ms."""
+    ways = []
+    for dt in (4e-3, 1e-3):
+        case = choose(grain_box(clone, [(0.03, 0.01)], 0.01, name=f"{dt}"), "locked")
+        replace(case, "system/blockMeshDict", "(10 10 1)", "(40 40 1)")
+        case.run("blockMesh")
+        replace(case, GRAINS, "friction    0.2;", "friction    1;")
+        replace(case, "constant/g", "(0 -9.81 0)", "(2 -9 0)")
+        replace(case, "constant/transportProperties", "1e-4", "1e-3")
+        replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     4")
+        control(case, deltaT=dt, endTime=0.48, writeInterval=1000)
+        case.run("grainFoam")
+        last = tracks(case)[-1]
+        assert -last[10] * 0.01 == pytest.approx(last[5], rel=1e-6)
+        ways.append(last[2] - 0.03)
+    assert ways[0] == pytest.approx(ways[1], rel=0.1)

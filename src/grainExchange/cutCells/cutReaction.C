@@ -231,6 +231,8 @@ void Foam::cutGrains::addViscousTorque
     leaveRotation(given);
 
     // Implicit in the spin of discs and spheres; that of clusters is known
+    const grainMotion& motion = grains_.motion();
+    const scalar deltaT = mesh_.time().deltaTValue();
     const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)
     {
@@ -238,13 +240,20 @@ void Foam::cutGrains::addViscousTorque
         {
             continue;
         }
+        if (isCluster_[graini])
+        {
+            torque[graini] += given[graini];
+            continue;
+        }
+        // Of what contacts do to the spin the fluid takes none back
         const scalar inertia =
-            grains_.mappedVolume()[graini]*grains_.motion().density(graini)
+            grains_.mappedVolume()[graini]*motion.density(graini)
            *squaredGyration*sqr(grains_.fluidDiameter(graini));
         torque[graini] +=
-            isCluster_[graini]
-          ? given[graini]
-          : given[graini]
-           /(1 + resistance[graini]*mesh_.time().deltaTValue()/inertia);
+            (
+                given[graini]
+              - resistance[graini]*motion.contactChange(graini, deltaT).spin
+            )
+           /(1 + resistance[graini]*deltaT/inertia);
     }
 }

@@ -81,8 +81,17 @@ void Foam::resolvedGrains::addTorque
             viscous[graini]
           - 2*grainMu[graini]*grains_.mappedVolume()[graini]
            *motion.spin(graini);
+        // What contacts do to the spin is not the fluid's to take back
         torque[graini] =
-            inertia & inv(inertia + resistance[graini]) & torque[graini];
+            inertia
+          & inv(inertia + resistance[graini])
+          & (
+                torque[graini]
+              - (
+                    resistance[graini]
+                  & motion.contactChange(graini, deltaT).spin
+                )
+            );
     }
 }
 

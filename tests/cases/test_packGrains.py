@@ -295,6 +295,20 @@ def test_impossible_packings_are_refused(clone, entries, fragments):
     assert not (case.path / "constant/grains.csv").exists()
 
 
+def test_grains_that_fall_for_ever_do_not_settle(clone):
+    """Those of a lattice across the floor that are behind it."""
+    case = grain_box(clone)
+    floor = "point (0 0.05 0); normal (0 1 0);"
+    replace(case, "constant/grainProperties", "type        patches;", f"type plane; {floor}")
+    replace(case, "constant/grainProperties", "patches     (left right bottom top);", "")
+    lattice = f"type lattice; {BOX} radius 2e-3; spacing 6e-3; material glass;"
+    entries = f"type settled; from {{ {lattice} }} deltaT 1e-3;"
+    (case.path / "system/packGrainsDict").write_text(HEADER + entries)
+    assert case.run("packGrains", check=False, timeout=60) == 1
+    for fragment in ("'from'", "fallen out of the mesh", "packGrainsDict"):
+        assert fragment in case.log, case.log[-800:]
+
+
 def test_check_grains_reports_a_good_packing(clone):
     case = grain_box(clone, [(0.03, 0.03), (0.06, 0.05)], [0.004, 0.002])
     case.run("checkGrains")

@@ -52,6 +52,43 @@ Foam::grainSources::settled<D>::settled
 
 
 template<int D>
+Foam::scalar Foam::grainSources::settled<D>::lowestInMesh() const
+{
+    const vector down(normalised(this->context_.g));
+    scalar lowest = -GREAT;
+    for (const point& x : this->context_.space.mesh().points())
+    {
+        lowest = max(lowest, down & x);
+    }
+    reduce(lowest, maxOp<scalar>());
+    return lowest;
+}
+
+
+template<int D>
+void Foam::grainSources::settled<D>::requireAboveFloor
+(
+    const nscd::Grains<D>& grains,
+    const scalar lowest
+) const
+{
+    const vector down(normalised(this->context_.g));
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const point x(this->context_.space.positionInSpace(grains.position[i]));
+        if ((down & x) > lowest + grains.radius[i])
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Keyword 'from': grain " << label(grains.id[i])
+                << " has left the walls and fallen out of the mesh, to " << x << nl
+                << "    allowed: grains that do not overlap, between walls below"
+                << " which none can get" << exit(FatalIOError);
+        }
+    }
+}
+
+
+template<int D>
 nscd::Grains<D> Foam::grainSources::settled<D>::atRest
 (
     const nscd::Grains<D>& grains
@@ -62,6 +99,7 @@ nscd::Grains<D> Foam::grainSources::settled<D>::atRest
     nscd::Settings contact(this->context_.contact);
     contact.maxSweeps = std::max(contact.maxSweeps, 1000);
 
+    const scalar lowest = lowestInMesh();
     const clockTime clock;
     scalar lastReport = 0;
     Info<< "Settling " << label(grains.size()) << " grains, at most "
@@ -82,8 +120,9 @@ nscd::Grains<D> Foam::grainSources::settled<D>::atRest
         deltaT_,
         maxSpeed_,
         maxTime_,
-        [&](const scalar time, const scalar fastest)
+        [&](const scalar time, const scalar fastest, const nscd::Grains<D>& now)
         {
+            requireAboveFloor(now, lowest);
             const scalar worked = clock.elapsedTime();
             if (worked > lastReport + betweenReports)
             {

@@ -122,7 +122,7 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap)
 
 template <int D>
 Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime,
-                  const std::function<void(double, double)>& report)
+                  const std::function<void(double, double, const Grains<D>&)>& report)
 {
     if (!isPositive(atRest))
     {
@@ -157,7 +157,7 @@ Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double 
         settled.time = static_cast<double>(step) * dt;
         if (report)
         {
-            report(settled.time, settled.maxVelocity);
+            report(settled.time, settled.maxVelocity, dynamics.grains());
         }
         moved = settled.maxVelocity > atRest ? settled.time : moved;
         settled.atRest = settled.maxVelocity <= atRest && settled.time - moved >= rest;
@@ -173,8 +173,8 @@ template Vectors<3> lattice<3>(const Box<3>&, double, double);
 template Vectors<2> hexagonal<2>(const Box<2>&, double, double);
 template Vectors<3> hexagonal<3>(const Box<3>&, double, double);
 template Settled<2> settle<2>(ContactDynamics<2>, const Vector<2>&, double, double, double,
-                              const std::function<void(double, double)>&);
+                              const std::function<void(double, double, const Grains<2>&)>&);
 template Settled<3> settle<3>(ContactDynamics<3>, const Vector<3>&, double, double, double,
-                              const std::function<void(double, double)>&);
+                              const std::function<void(double, double, const Grains<3>&)>&);
 
 }  // namespace nscd

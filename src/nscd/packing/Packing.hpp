@@ -56,10 +56,10 @@ struct Settled
 
 /// Let dry grains fall under gravity [m/s^2] until none has been faster than 'atRest' [m/s] for five times the time
 /// in which it would fall by a mean radius, or until 'maxTime' [s], in steps of dt [s].  So long because a grain on top
-/// of its way, or one that begins to tip over another, is slow too.  After every step 'report' is told the time [s] and
-/// the velocity of the fastest [m/s].  Throws std::invalid_argument.
+/// of its way, or one that begins to tip over another, is slow too.  After every step 'report' is told the time [s],
+/// the velocity of the fastest [m/s] and the grains.  Throws std::invalid_argument.
 template <int D>
 Settled<D> settle(ContactDynamics<D> dynamics, const Vector<D>& gravity, double dt, double atRest, double maxTime,
-                  const std::function<void(double, double)>& report = nullptr);
+                  const std::function<void(double, double, const Grains<D>&)>& report = nullptr);
 
 }  // namespace nscd

@@ -233,7 +233,6 @@ void Foam::cutGrains::addViscousTorque
     // Implicit in the spin of discs and spheres; that of clusters is known
     const grainMotion& motion = grains_.motion();
     const scalar deltaT = mesh_.time().deltaTValue();
-    const scalar squaredGyration = mesh_.nGeometricD() == 3 ? 0.1 : 0.125;
     forAll(torque, graini)
     {
         if (!isResolved(graini))
@@ -246,9 +245,7 @@ void Foam::cutGrains::addViscousTorque
             continue;
         }
         // Of what contacts do to the spin the fluid takes none back
-        const scalar inertia =
-            grains_.mappedVolume()[graini]*motion.density(graini)
-           *squaredGyration*sqr(grains_.fluidDiameter(graini));
+        const scalar inertia = motion.momentOfInertia(graini).zz();
         torque[graini] +=
             (
                 given[graini]

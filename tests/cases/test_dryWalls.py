@@ -450,3 +450,14 @@ def test_packGrains_gives_clusters_as_it_takes_them(clone):
     header, line = file.read_text().splitlines()
     values = dict(zip(header.split(","), line.split(",")))
     np.testing.assert_allclose([float(values[k]) for k in ("qw", "qx", "qy", "qz")], q, atol=1e-6)
+
+
+def test_a_quaternion_of_another_length_is_refused(clone):
+    """Of a disc, which shows it in no other way, too."""
+    case = dry_box(clone, [(0.05, 0.04)], 0.02, dimension=2)
+    file = case.path / "constant/grains.csv"
+    header, line = file.read_text().splitlines()
+    file.write_text(f"{header},qw,qx,qy,qz\n{line},1,1,0,0\n")
+    assert case.run("dryGrainFoam", check=False) == 1
+    for fragment in ("grains.csv", "line 2", "qw,qx,qy,qz", "a quaternion of length 1"):
+        assert fragment in case.log

@@ -147,7 +147,6 @@ def test_disc_much_lighter_than_the_fluid_rises_from_the_first_step(clone, densi
     a = released(clone, density, predictor)
     np.testing.assert_allclose(a, a[-1], rtol=0.03)
     added = (RHO - density) * G / a[-1] - density
-    print("accelerations", a, "added", added / RHO)
     assert 1.03 * RHO <= added <= 1.25 * RHO
 
 

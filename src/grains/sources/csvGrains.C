@@ -157,14 +157,11 @@ nscd::Grains<D> Foam::grainSources::csv<D>::read() const
             result.mass[i] =
                 materials.density(material)*space.volume(result, i);
         }
-        if (table.found("shape"))
-        {
-            result.orientation[i] =
-                this->context_.shapes.ofAxes
-                (
-                    result.shape[i], space.orientationFromSpace(turn(table, i))
-                );
-        }
+        result.orientation[i] =
+            this->context_.shapes.ofAxes
+            (
+                result.shape[i], space.orientationFromSpace(turn(table, i))
+            );
 
         if (hasMaterials)
         {

@@ -6,6 +6,7 @@
 #include "cutGrains.H"
 
 #include "combineOverRanks.H"
+#include "implicitInSpin.H"
 #include "meanOverGrains.H"
 
 void Foam::cutGrains::addForce
@@ -239,18 +240,16 @@ void Foam::cutGrains::addViscousTorque
         {
             continue;
         }
-        if (isCluster_[graini])
-        {
-            torque[graini] += given[graini];
-            continue;
-        }
-        // Of what contacts do to the spin the fluid takes none back
-        const scalar inertia = motion.momentOfInertia(graini).zz();
         torque[graini] +=
+            isCluster_[graini]
+          ? given[graini]
+          : implicitInSpin
             (
-                given[graini]
-              - resistance[graini]*motion.contactChange(graini, deltaT).spin
-            )
-           /(1 + resistance[graini]*deltaT/inertia);
+                motion,
+                graini,
+                deltaT,
+                given[graini],
+                resistance[graini]*tensor::I
+            );
     }
 }

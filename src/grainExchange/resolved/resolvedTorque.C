@@ -7,6 +7,7 @@
 
 #include "byVolume.H"
 #include "fvcSnGrad.H"
+#include "implicitInSpin.H"
 #include "meanOverGrains.H"
 
 void Foam::resolvedGrains::addTorque
@@ -76,22 +77,16 @@ void Foam::resolvedGrains::addTorque
         {
             continue;
         }
-        const tensor inertia(motion.momentOfInertia(graini)/deltaT);
-        torque[graini] +=
-            viscous[graini]
-          - 2*grainMu[graini]*grains_.mappedVolume()[graini]
-           *motion.spin(graini);
-        // What contacts do to the spin is not the fluid's to take back
-        torque[graini] =
-            inertia
-          & inv(inertia + resistance[graini])
-          & (
-                torque[graini]
-              - (
-                    resistance[graini]
-                  & motion.contactChange(graini, deltaT).spin
-                )
-            );
+        torque[graini] = implicitInSpin
+        (
+            motion,
+            graini,
+            deltaT,
+            torque[graini]
+          + viscous[graini]
+          - 2*grainMu[graini]*grains_.mappedVolume()[graini]*motion.spin(graini),
+            resistance[graini]
+        );
     }
 }
 

@@ -21,7 +21,7 @@ constexpr double clearance = 1e-4;
 constexpr double agitation = 0.055;
 
 /// Jams with larger overlaps over the mean radius do not dissolve.
-constexpr double hopeless = 0.06;
+constexpr double dissolvable = 0.06;
 
 constexpr double fastestRate = 0.1, slowestRate = 1e-3;
 
@@ -77,7 +77,7 @@ Vectors<D> densePacking(const Box<D>& box, const std::vector<double>& radii, std
     constexpr double enough = 0.99 * clearance;
     SoftGrains<D> grains(size, periodic, enlarged, centres);
     grains.quench(enough);
-    const bool mayDissolve = grains.typicalOverlap() < hopeless * meanRadius;
+    const bool mayDissolve = grains.typicalOverlap() < dissolvable * meanRadius;
     for (double rate = fastestRate; mayDissolve && grains.deepestOverlap() > enough && rate > slowestRate; rate /= 3)
     {
         grains.anneal(random, agitation * meanRadius, rate, enough);

@@ -15,7 +15,7 @@ namespace
 {
 
 /// A lattice that would fill the box exactly must not lose its last row to round-off.
-constexpr double roundOff = 1e-10;
+constexpr double latticeRoundOff = 1e-10;
 
 /// Times in which a grain would fall by a radius for which it has to stay at rest.  One that tips over another of its
 /// size is sixty times as fast after five.
@@ -24,7 +24,7 @@ constexpr double fallsAtRest = 5;
 /// Number of centres from 'first' to 'last' in steps of 'step'.
 int count(double first, double step, double last)
 {
-    const double steps = std::floor((last - first) / step + roundOff);
+    const double steps = std::floor((last - first) / step + latticeRoundOff);
     return steps < 0 ? 0 : static_cast<int>(steps) + 1;
 }
 
@@ -47,7 +47,7 @@ Vectors<D> lattice(const Box<D>& box, double radius, double spacing)
 {
     checkBox<D>(box);
     checkRadius(radius);
-    if (!std::isfinite(spacing) || spacing < 2 * radius * (1 - roundOff))
+    if (!std::isfinite(spacing) || spacing < 2 * radius * (1 - latticeRoundOff))
     {
         refuse("spacing ", spacing, " m is less than two radii of ", radius, " m");
     }
@@ -96,7 +96,7 @@ Vectors<D> hexagonal(const Box<D>& box, double radius, double gap)
     {
         const int stacking = k % 3;   // ABC: each layer sits in the hollows of the one below
         const double y0 = first[1] + stacking * rowHeight / 3 * 2;
-        const double yLow = y0 - std::floor((y0 - first[1]) / rowHeight + roundOff) * rowHeight;
+        const double yLow = y0 - std::floor((y0 - first[1]) / rowHeight + latticeRoundOff) * rowHeight;
         const int rowsBelow = static_cast<int>(std::lround((y0 - yLow) / rowHeight));
         const int rows = count(yLow, rowHeight, last[1]);
         for (int j = 0; j < rows; ++j)

@@ -174,39 +174,53 @@ void Foam::continuedFraction::continueAngles
         intoGrains(continued, cells, curvature, isWetted)
     );
 
-    surfaceScalarField beyond(0*into);
+    tmp<fvScalarMatrix> tequation
+    (
+        fv::gaussConvectionScheme<scalar>
+        (
+            mesh_, into, tmp<surfaceInterpolationScheme<scalar>>
+            (
+                new upwind<scalar>(mesh_, into)
+            )
+        ).fvmDiv(into, continued)
+    );
+    fvScalarMatrix& equation = tequation.ref();
+    equation.diag() -=
+        fvc::surfaceIntegrate(into)().primitiveField()*mesh_.V().field();
+    equation -=
+        fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+        (
+            least*mesh_.magSf()/mesh_.nonOrthDeltaCoeffs(),
+            mesh_.nonOrthDeltaCoeffs(), continued
+        );
+    confine(isWetted, equation);
+    const scalarField atFirst(equation.source());
+
+    dictionary controls;
+    controls.add("solver", "PBiCGStab");
+    controls.add("preconditioner", "DILU");
+    controls.add("tolerance", tolerance);
+    controls.add("relTol", 0);
     for (label i = 0; i <= nCorrections; ++i)
     {
         if (i > 0)
         {
-            beyond = into*beyondUpwind(into, continued);
-        }
-        tmp<fvScalarMatrix> tequation
-        (
-            fv::gaussConvectionScheme<scalar>
+            const scalarField beyond
             (
-                mesh_, into, tmp<surfaceInterpolationScheme<scalar>>
+                fvc::surfaceIntegrate
                 (
-                    new upwind<scalar>(mesh_, into)
-                )
-            ).fvmDiv(into, continued)
-        );
-        fvScalarMatrix& equation = tequation.ref();
-        equation.diag() -=
-            fvc::surfaceIntegrate(into)().primitiveField()*mesh_.V().field();
-        equation.source() -=
-            fvc::surfaceIntegrate(beyond)().primitiveField()*mesh_.V().field();
-        equation -=
-            fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-            (
-                least*mesh_.magSf()/mesh_.nonOrthDeltaCoeffs(),
-                mesh_.nonOrthDeltaCoeffs(), continued
+                    into*beyondUpwind(into, continued)
+                )().primitiveField()*mesh_.V().field()
             );
-
-        dictionary controls;
-        controls.add("solver", "PBiCGStab");
-        controls.add("preconditioner", "DILU");
-        solveIn(isWetted, controls, equation);
+            forAll(beyond, celli)
+            {
+                if (isWetted[celli])
+                {
+                    equation.source()[celli] = atFirst[celli] - beyond[celli];
+                }
+            }
+        }
+        equation.solve(controls);
         continued.primitiveFieldRef() =
             max(min(continued.primitiveField(), scalar(1)), scalar(0));
         continued.correctBoundaryConditions();

@@ -234,10 +234,9 @@ void Foam::continuedFraction::keep(const volScalarField& alpha)
 }
 
 
-void Foam::continuedFraction::solveIn
+void Foam::continuedFraction::confine
 (
     const boolList& isIn,
-    dictionary controls,
     fvScalarMatrix& equation
 ) const
 {
@@ -263,10 +262,6 @@ void Foam::continuedFraction::solveIn
         }
     }
     equation.setValues(others, values);
-
-    controls.add("tolerance", 1e-13);
-    controls.add("relTol", 0);
-    equation.solve(controls);
 }
 
 
@@ -280,7 +275,10 @@ void Foam::continuedFraction::solveCovered(fvScalarMatrix& equation) const
     dictionary controls;
     controls.add("solver", "PCG");
     controls.add("preconditioner", "DIC");
-    solveIn(isCovered, controls, equation);
+    controls.add("tolerance", tolerance);
+    controls.add("relTol", 0);
+    confine(isCovered, equation);
+    equation.solve(controls);
 }
 
 

@@ -99,6 +99,13 @@ def replace(case, file, old, new):
     path.write_text(text.replace(old, new))
 
 
+def halve_height(case):
+    """Of the box, before blockMesh."""
+    for z in ("0", "0.01"):
+        for x in ("0.1", "0  "):
+            replace(case, "system/blockMeshDict", f"({x} 0.1 {z})", f"({x} 0.05 {z})")
+
+
 def control(case, **entries):
     """Set entries of system/controlDict."""
     path = case.path / "system/controlDict"

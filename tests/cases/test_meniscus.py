@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, replace, write_csv
+from grain_box import control, halve_height, replace, write_csv
 from water_box import AIR, SIZE, WATER, level, set_water, to_two_fluids
 
 GRAINS = "constant/grainProperties"
@@ -19,9 +19,7 @@ def cylinder(clone, n, angle, above=0.0):
     """In a box of half the height, n cells wide, of fluids that are viscous enough to rest soon."""
     case = clone("grainBox")
     write_csv(case, [(SIZE / 2, HEIGHT + above)], RADIUS)
-    for z in ("0", "0.01"):
-        for x in ("0.1", "0  "):
-            replace(case, "system/blockMeshDict", f"({x} 0.1 {z})", f"({x} 0.05 {z})")
+    halve_height(case)
     replace(case, "system/blockMeshDict", "(10 10 1)", f"({n} {n // 2} 1)")
     case.run("blockMesh")
     to_two_fluids(case, sigma=SIGMA)

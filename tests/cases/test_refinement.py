@@ -184,9 +184,9 @@ def test_random_refinement_keeps_volume_content_and_pressure_drop(clone):
 
 def test_stop_and_restart(clone):
     whole, parts = (bed(clone, name=name) for name in ("whole", "parts"))
-    control(whole, endTime=0.08, writeInterval=20)
-    control(parts, writeInterval=20)
-    run_whole_and_parts(whole, parts, "grainFoam", stop=0.04, end=0.08)
+    control(whole, endTime=0.04, writeInterval=10)
+    control(parts, writeInterval=10)
+    run_whole_and_parts(whole, parts, "grainFoam", stop=0.02, end=0.04)
     np.testing.assert_array_equal(field(whole, "eps"), field(parts, "eps"))
     # What comes in is a function of time, which has another round-off after a restart
     for name, scale in (("U", SPEED), ("p_rgh", 20), ("dye", 1), ("mark", 1)):

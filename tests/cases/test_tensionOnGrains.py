@@ -68,7 +68,7 @@ def test_free_disc(clone, angle, density):
     replace(case, GRAINS, " motion fixed;", "")
     replace(case, GRAINS, "density 2500;", f"density {AIR + density * (WATER - AIR)};")
     dt = 3e-4 * (80 / cells) ** 1.5
-    steps = round(0.6 / dt)
+    steps = round(0.45 / dt)
     control(case, deltaT=dt, endTime=round(steps * dt, 10), writeInterval=steps)
     case.run("grainInterFoam")
     levels = surface(case, cells)
@@ -107,7 +107,7 @@ def test_drop_and_grain_do_not_leave_together(clone):
     replace(case, GRAINS, "density 2500;", entry)
     for nu in ("1e-6", "1.48e-5"):
         replace(case, "constant/transportProperties", f"nu {nu}", "nu 1e-4")
-    control(case, deltaT=1e-3, endTime=1.2, writeInterval=200)
+    control(case, deltaT=1e-3, endTime=0.6, writeInterval=100)
     case.run("grainInterFoam")
     for time in case.times[1:]:
         alpha = case.field("alpha.water", time)

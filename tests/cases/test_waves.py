@@ -60,7 +60,7 @@ def tank(clone, mesh):
     replace(case, "0/U", "noSlip", "slip")
     for nu in ("1e-6", "1.48e-5"):
         replace(case, "constant/transportProperties", f"nu {nu}", "nu 1e-9")
-    control(case, deltaT=1e-3, endTime=1.6, writeInterval=10)
+    control(case, deltaT=1e-3, endTime=0.9, writeInterval=10)
     return case
 
 
@@ -74,16 +74,16 @@ def slopes(case):
 
 @pytest.mark.parametrize("mesh", ["quads", "wavy rows", "triangles"])
 def test_a_wave_keeps_its_height(clone, mesh):
-    """Period 2 pi/sqrt(g k tanh(k h)), k = pi/SIZE; four of them."""
+    """Period 2 pi/sqrt(g k tanh(k h)), k = pi/SIZE; two of them."""
     case = tank(clone, mesh)
     case.run("grainInterFoam")
     k = np.pi / SIZE
     period = 2 * np.pi / np.sqrt(9.81 * k * np.tanh(k * DEPTH))
     t, slope = np.array(case.times, dtype=float), slopes(case)
-    crests = [slope[abs(t - n * period) < 0.2 * period].max() for n in (1, 2, 3, 4)]
+    crests = [slope[abs(t - n * period) < 0.2 * period].max() for n in (1, 2)]
     print(mesh, "crests", crests)
-    # Quads take 0.114, the others at most twice that
-    assert min(crests) >= (0.88 if mesh == "quads" else 0.77)
+    # In four periods quads take 0.114, the others at most twice that; a root of it in two
+    assert min(crests) >= (0.88 if mesh == "quads" else 0.77) ** 0.5
 
 
 @pytest.mark.parallel

@@ -60,9 +60,21 @@ Foam::scalar Foam::evaporation::smallConductance
 }
 
 
-void Foam::evaporation::conductThrough(surfaceScalarField& conductivity) const
+void Foam::evaporation::conductThrough
+(
+    const volScalarField& T,
+    surfaceScalarField& conductivity
+) const
 {
-    const surfaceScalarField byPart(term_.conductanceOfHeat());
+    surfaceScalarField byPart(term_.conductanceOfHeat());
+    forAll(byPart.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& atPatch = T.boundaryField()[patchi];
+        if (!atPatch.coupled() && !givesTemperature(atPatch))
+        {
+            byPart.boundaryFieldRef()[patchi] = 1;
+        }
+    }
     conductivity *= byPart;
 
     // What is between a droplet and a wall is gas, though its cell has none
@@ -160,7 +172,7 @@ void Foam::evaporation::add(const volScalarField& T, cellHeat& cells)
     else
     {
         faces_ = dropletFace::list(term_, cells.conductivity);
-        conductThrough(cells.conductivity);
+        conductThrough(T, cells.conductivity);
         dropletFace::shut(term_, cells.conductivity);
     }
     hold_ = holding(gas_.capacity(), cells.conductivity);

@@ -121,6 +121,22 @@ void Foam::grainFluidHeat::setOpenConductivity()
 }
 
 
+void Foam::grainFluidHeat::setOnPatches
+(
+    const surfaceScalarField& conductivity
+)
+{
+    forAll(conductivity.boundaryField(), patchi)
+    {
+        fvPatchScalarField& patch = openConductivity_.boundaryFieldRef()[patchi];
+        if (!patch.coupled())
+        {
+            patch == conductivity.boundaryField()[patchi];
+        }
+    }
+}
+
+
 Foam::cellHeat Foam::grainFluidHeat::cells
 (
     const volScalarField& T,
@@ -149,6 +165,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     {
         others_->add(T, result);
     }
+    setOnPatches(result.conductivity);
 
     const plateHeat& plates = fluid_.plates();
     if (plates.coefficient() > 0)

@@ -8,7 +8,7 @@ import shutil
 
 import numpy as np
 import pytest
-from grain_box import control, cyclic_box, lattice, replace
+from grain_box import control, cyclic_box, grain_box, lattice, make_cyclic, replace
 from heat_box import with_heat, write_scalar
 from test_turbulence import EPSILON, MODELS, SCHEMES, SOLVER, K, set_model
 from water_box import column, set_water, to_two_fluids
@@ -19,6 +19,7 @@ GRAINS = "constant/grainProperties"
 CENTRES = lattice(4, 4, 0.025, (0.011, 0.013))
 FLUID = "constant/transportProperties"
 CYCLIC = '"left|right|bottom|top" { type cyclic; }'
+SIDES, LIDS = '"left|right" { type cyclic; }', '"bottom|top"'
 
 
 def stirred(clone, name="whole"):
@@ -26,6 +27,17 @@ def stirred(clone, name="whole"):
     case = cyclic_box(clone, CENTRES[:9], 0.004)
     case.path = case.path.rename(case.path.with_name(name))
     replace(case, "constant/g", "(0 0 0)", "(3 -9.81 0)")
+    return case
+
+
+def falling(clone):
+    """The same between a floor and a lid: weight that is not even is across the pair."""
+    case = grain_box(clone, CENTRES[:9], 0.004, name="whole")
+    make_cyclic(case, ("left", "right"))
+    case.run("blockMesh")
+    for field in ("U", "p_rgh"):
+        replace(case, f"0/{field}", '"left|right|bottom|top"', f"{SIDES}\n    {LIDS}")
+    replace(case, GRAINS, "(left right bottom top)", "(bottom top)")
     return case
 
 
@@ -49,22 +61,25 @@ def turbulent(clone):
 
 
 def heated(clone):
-    case = stirred(clone)
+    case = falling(clone)
     T = 300 + 100 * np.random.default_rng(3).random(100)
     with_heat(
         case,
         T=T,
-        patches=CYCLIC,
+        patches=f"{SIDES} {LIDS} {{ type zeroGradient; }}",
         fluid="Cp 1000; kappa table ((300 0.6) (400 6)); beta 1e-3; TRef 300;",
     )
+    replace(case, "0/p_rgh", "zeroGradient;", "fixedFluxPressure; value uniform 0;")
     return case, "grainThermalFoam", ["U", "T"]
 
 
 def of_two_fluids(clone):
     """A column of water that falls over at the boundary."""
-    case = stirred(clone)
+    case = falling(clone)
     to_two_fluids(case, sigma=0.07)
-    set_water(case, column(0.04, 0.1), walls="cyclic")
+    set_water(case, column(0.04, 0.1))
+    walls = '"left|right|bottom|top"'
+    replace(case, "0/alpha.water", walls, f"{SIDES} {LIDS}")
     return case, "grainInterFoam", ["U", "alpha.water"]
 
 

@@ -36,6 +36,10 @@ Foam::twoFluids::twoFluids
     ),
     mass_(mesh_)
 {
+    if (mixture_.rho1().value() != mixture_.rho2().value())
+    {
+        weight_.requireLevelPeriods();
+    }
     evaluateCoupled(alpha());
     correct();
 }

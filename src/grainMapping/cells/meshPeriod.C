@@ -79,3 +79,22 @@ Foam::vector Foam::meshPeriod(const polyMesh& mesh)
     }
     return period;
 }
+
+
+Foam::List<Foam::vector> Foam::cyclicSeparations(const polyMesh& mesh)
+{
+    DynamicList<vector> result;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const auto* cyclicPtr = isA<cyclicPolyPatch>(patch);
+        if (cyclicPtr && cyclicPtr->owner())
+        {
+            result.append
+            (
+                cyclicBounds(mesh, cyclicPtr->neighbPatchID()).midpoint()
+              - cyclicBounds(mesh, patch.index()).midpoint()
+            );
+        }
+    }
+    return List<vector>(std::move(result));
+}

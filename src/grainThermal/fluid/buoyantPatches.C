@@ -19,6 +19,7 @@ void Foam::checkBuoyantPatches
     {
         return;
     }
+    fluid.weight().requireLevelPeriods();
     forAll(fields.p_rgh.boundaryField(), patchi)
     {
         const fvPatchScalarField& p = fields.p_rgh.boundaryField()[patchi];

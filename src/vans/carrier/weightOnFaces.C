@@ -6,6 +6,7 @@
 #include "weightOnFaces.H"
 
 #include "linear.H"
+#include "meshPeriod.H"
 #include "referenceHeight.H"
 
 Foam::weightOnFaces::weightOnFaces
@@ -18,6 +19,27 @@ Foam::weightOnFaces::weightOnFaces
     g_(g),
     ghRef_(ghRef(mesh, g))
 {}
+
+
+void Foam::weightOnFaces::requireLevelPeriods() const
+{
+    // Vertices are written with a finite number of digits
+    constexpr scalar roundOff = 1e-6;
+
+    const vector& g = g_.value();
+    for (const vector& apart : cyclicSeparations(mesh_))
+    {
+        if (mag(g & apart) > roundOff*mag(g)*mag(apart))
+        {
+            FatalErrorInFunction
+                << "Keyword 'value' of constant/g has the value " << g
+                << ", with a part along the way " << apart
+                << " from a cyclic patch to its neighbour" << nl
+                << "    allowed: gravity across it, as the weight of the fluid is"
+                << " not uniform" << exit(FatalError);
+        }
+    }
+}
 
 
 Foam::tmp<Foam::volScalarField> Foam::weightOnFaces::gh() const

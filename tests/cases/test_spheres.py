@@ -210,9 +210,9 @@ def test_a_sphere_as_large_as_a_cell_is_given_the_undisturbed_flow(clone):
     [(4, 0.48, 0.505), (8, 0.48, 0.505), (10, 0.48, 0.505), (16, 0.485, 0.515)],
 )
 def test_shear_turns_a_sphere_about_the_axis_of_vorticity(clone, n, low, high):
-    """Oblique to the mesh; spin over shear rate.  Cells of a diameter, a half and 0.4 of one give it
-    half their vorticity (0.466 and 0.473 where moments of so few cells turned it); with four to a
-    diameter the sphere is resolved: half of it at Re -> 0, to 3 %."""
+    """Oblique to the mesh; spin over shear rate.  Cells of a diameter, a half and 0.4 of one give
+    it half their vorticity (0.466 and 0.473 where moments of so few cells turned it); with four to
+    a diameter the sphere is resolved: half of it at Re -> 0, to 3 %."""
     speed, direction = 0.005, np.array([0.6, 0, 0.8])
     case = sphere_box(clone, [(0.05, 0.05, 0.05)], 0.0125, n=n)
     make_cyclic(case, ("left", "right"), ("back", "front"))

@@ -4,8 +4,18 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, ledger, open_ends, replace, run_whole_and_parts, tracks
-from heat_box import fix_grains, stream, with_heat, write_scalar
+from droplet_box import BOILING, GAS, with_droplets
+from grain_box import (
+    DEPTH,
+    control,
+    grain_box,
+    ledger,
+    open_ends,
+    replace,
+    run_whole_and_parts,
+    tracks,
+)
+from heat_box import fix_grains, heat_ledger, stream, with_heat, write_scalar
 from test_cutCells import (
     FLUID,
     assert_dye_is_kept,
@@ -13,9 +23,10 @@ from test_cutCells import (
     choose,
     dyed,
     falling,
-    refused,
     with_cells,
 )
+from test_heatRuns import assert_books_close
+from test_heatRuns import assert_ranks_agree as assert_ranks_agree_on_heat
 from test_parallel import decompose
 from test_restart import assert_same
 from test_turbulence import set_model
@@ -87,7 +98,92 @@ def test_ranks_agree(clone):
     assert_ranks_agree(one, many, 2)
 
 
-def test_heat_is_refused(clone):
-    """The layer at the surface that turbulence leaves has no law for heat."""
-    case = with_heat(eddies(falling(clone)))
-    refused(case, "grainThermalFoam", "turbulence and heat")
+RADIUS, NU, HOT, COLD = 0.02, 1e-6, 400.0, 300.0
+
+
+def spinning(clone, spin, prandtl):
+    """Cold disc of 8 cells in hot fluid at rest: heat in a first, short step, with and without a
+    turbulence model."""
+    heats = []
+    for name, chosen in (("eddies", SMAGORINSKY), ("none", None)):
+        case = choose(with_cells(grain_box(clone, [(0.051, 0.0493)], RADIUS, name=name), 20))
+        row = f"0.051,0.0493,0.005,{RADIUS},0,0,0,0,0,{spin}\n"
+        (case.path / "constant/grains.csv").write_text("x,y,z,radius,vx,vy,vz,wx,wy,wz\n" + row)
+        replace(case, "constant/g", "-9.81", "0")
+        if chosen:
+            eddies(case, chosen)
+        replace(case, FLUID, "1e-4;", f"{NU};")
+        kappa = 1000 * NU * 1000 / prandtl
+        fluid = f"Cp 1000; kappa {kappa};"
+        with_heat(case, HOT, COLD, fluid=fluid, ofGlass="heatCapacity 1e6;")
+        control(case, deltaT=1e-6, endTime=1e-6, writeInterval=1)
+        case.run("grainThermalFoam")
+        heats.append(heat_ledger(case)["exchanged"][0])
+    return heats
+
+
+def friction_velocity(slip, y):
+    """Of Spalding's profile."""
+    low, high = 1e-9, 100.0
+    for _ in range(200):
+        u = (low + high) / 2
+        k = 0.41 * u
+        plus = u + (np.exp(k) - 1 - k - k**2 / 2 - k**3 / 6) / 9.8
+        low, high = (u, high) if u * plus < slip * y / NU else (low, u)
+    return slip / u
+
+
+def flux(slip, y, prandtl):
+    """Kader's [W/m2]."""
+    u = friction_velocity(slip, y)
+    plus = y * u / NU
+    gamma = 0.01 * (prandtl * plus) ** 4 / (1 + 5 * prandtl**3 * plus)
+    beta = (3.85 * prandtl ** (1 / 3) - 1.3) ** 2 + 2.12 * np.log(prandtl)
+    far = (2.12 * np.log(1 + plus) + beta) * np.exp(-1 / gamma)
+    return 1000 * 1000 * u * (HOT - COLD) / (prandtl * plus * np.exp(-gamma) + far)
+
+
+@pytest.mark.parametrize("prandtl", [0.7, 7])
+def test_heat_through_a_turbulent_layer(clone, prandtl):
+    """A disc whose surface moves with 2 m/s, y+ of 50 to 400: what it takes is that of a point of
+    the profile in the cells that it cuts; conduction alone gives a fifth and a twelfth of it."""
+    heat, conducted = spinning(clone, 100.0, prandtl)
+    perimeter = 2 * np.pi * RADIUS * DEPTH * 1e-6
+    near, far = (flux(100 * RADIUS, y, prandtl) for y in (0.1 * 0.005, 0.75 * 0.005))
+    assert far <= heat / perimeter <= near
+    assert conducted < heat / 4
+
+
+def test_heat_is_conducted_where_nothing_moves(clone):
+    heat, conducted = spinning(clone, 0.0, 7)
+    assert heat == pytest.approx(conducted, rel=1e-9)
+
+
+def hot_and_falling(clone, name):
+    case = with_heat(eddies(falling(clone, name)), T=400, grains=300, fluid="Cp 1000; kappa 0.1;")
+    replace(case, FLUID, "1e-4;", "1e-6;")
+    control(case, writeInterval=10)
+    return case
+
+
+def test_books_close_and_a_restart_goes_on(clone):
+    whole, parts = (hot_and_falling(clone, name) for name in ("whole", "parts"))
+    run_whole_and_parts(whole, parts, "grainThermalFoam", stop=0.06, end=0.12)
+    assert_same(whole, parts)
+    assert_books_close(whole)
+    T = whole.field("T")
+    assert 300 <= T.min() < 390 and T.max() <= 400 + 1e-9
+
+
+def test_ranks_agree_on_heat(clone):
+    assert_ranks_agree_on_heat(*(hot_and_falling(clone, name) for name in ("one", "many")), 2)
+
+
+def test_droplets_are_refused(clone):
+    """What evaporates has no law for such layers."""
+    case = eddies(with_heat(grain_box(clone), T=BOILING, grains=BOILING, fluid=GAS))
+    with_droplets(case, [(0.05, 0.05)], 0.022, surface="cutCells")
+    assert case.run("grainDropletFoam", check=False) == 1
+    for word in ("'surface'", "value cutCells", "with turbulence"):
+        assert word in case.log
+    assert "\nTime = " not in case.log

@@ -5,6 +5,8 @@
 
 #include "cutHeat.H"
 
+#include "Kader.H"
+#include "Spalding.H"
 
 Foam::cutHeat::cutHeat(const grainSystem& grains)
 :
@@ -13,11 +15,30 @@ Foam::cutHeat::cutHeat(const grainSystem& grains)
 {}
 
 
+Foam::scalar Foam::cutHeat::throughLayer
+(
+    const cutCells::wall& x,
+    const thermalFluid& fluid,
+    const volVectorField& U
+) const
+{
+    const label c = x.cell;
+    const vector relative(U[c] - grains_.motion().motion(x.grain).at(x.arm));
+    const scalar slip = mag(relative - (relative & x.normal)*x.normal);
+    const scalar rho = fluid.rho()[c], mu = fluid.mu()[c];
+    const scalar Re = rho*slip*x.distance/mu;
+    const scalar Pr = fluid.capacity(c)/rho*mu/fluid.kappa()[c];
+    return wallHeatRatio(sqrt(Re*wallShearRatio(Re)), Pr);
+}
+
+
 void Foam::cutHeat::add
 (
     const boolList& isResolved,
     const volScalarField& T,
     const volScalarField& kappa,
+    const thermalFluid& fluid,
+    const volVectorField& U,
     cellHeat& cells
 )
 {
@@ -28,11 +49,20 @@ void Foam::cutHeat::add
         [&](const label i) { return grains_.temperatures().temperature(i); }
     );
 
+    scalarField atSurface(kappa.primitiveField());
+    if (fluid.isTurbulent())
+    {
+        atSurface *= fluid.kappa().primitiveField()/fluid.kappaEff()().primitiveField();
+    }
     const scalarField& V = T.mesh().V();
     conductance_ = scalarField(grains_.overlaps().size(), Zero);
     for (const cutCells::wall& x : conduction_.cells().walls())
     {
-        conductance_[x.overlap] = kappa[x.cell]*conduction_.perConductivity(x);
+        conductance_[x.overlap] = atSurface[x.cell]*conduction_.perConductivity(x);
+        if (fluid.isTurbulent())
+        {
+            conductance_[x.overlap] *= throughLayer(x, fluid, U);
+        }
         cells.coefficient[x.cell] += conductance_[x.overlap]/V[x.cell];
     }
 }

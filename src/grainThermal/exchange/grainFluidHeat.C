@@ -46,9 +46,9 @@ Foam::grainFluidHeat::grainFluidHeat
     )
 {
     checkProperties(T);
-    if (fluid.isTurbulent() && exchange.resolved().leavesParts())
+    if (fluid.isTurbulent() && others && exchange.resolved().leavesParts())
     {
-        exchange.resolved().requireWholeCells("turbulence and heat");
+        exchange.resolved().requireWholeCells("turbulence");
     }
     exchange.followGrains();
     setOpenConductivity();
@@ -152,7 +152,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     }
     cellHeat result(openConductivity_);
     unresolved_.add(exchange_, U, others_, result);
-    resolved_.add(T, openConductivity_, fluid_.kappa(), result);
+    resolved_.add(T, openConductivity_, fluid_, U, result);
     nodes_ = std::make_unique<heatNodes>
     (
         grains_, exchange_.resolved(), fluid_.capacity(),

@@ -244,7 +244,8 @@ void Foam::resolvedHeat::add
 (
     const volScalarField& T,
     const volScalarField& kappa,
-    const volScalarField& kappaOfFluid,
+    const thermalFluid& fluid,
+    const volVectorField& U,
     cellHeat& cells
 )
 {
@@ -263,7 +264,7 @@ void Foam::resolvedHeat::add
         {
             isResolved[i] = resolved_.isResolved(i);
         }
-        cut_->add(isResolved, T, kappa, cells);
+        cut_->add(isResolved, T, kappa, fluid, U, cells);
         return;
     }
     forAll(mesh.V(), celli)
@@ -275,7 +276,7 @@ void Foam::resolvedHeat::add
         }
     }
     sumOverRanks(lockedVolume_);
-    setFaces(T, kappa, kappaOfFluid, cells.conductivity);
+    setFaces(T, kappa, fluid.kappa(), cells.conductivity);
 
     if (!conducts_)
     {

@@ -68,6 +68,7 @@ Foam::grainFluidExchange::grainFluidExchange
     unresolved_(grains, aroundGrains, fields_.gradientOnGrains),
     resolved_(std::move(resolved)),
     openings_(grains, fluid),
+    crossing_(grains),
     givenVelocities_
     (
         &fluid == &aroundGrains ? "Grains" : "Droplets or grains",
@@ -256,6 +257,7 @@ void Foam::grainFluidExchange::meshChanged()
 {
     const stopwatch::lap lap(time_);
     grains_.meshChanged();
+    crossing_.meshChanged();
     unresolved_.meshChanged();
     resolved_->meshChanged();
     setEps();
@@ -266,6 +268,7 @@ bool Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);
     fields_.freePatches = openings_.freePatches(U, resolved_->openings());
+    crossing_.startStep(fields_.freePatches);
     if (!grains_.inject(U))
     {
         return false;

@@ -134,6 +134,7 @@ void Foam::grainFluidExchange::moveGrains
     setImpacts();
     unresolved_.keep(cellGradP);
     grains_.move(force, torque, deltaT);
+    fields_.crossing = crossing_.flux();
     setEps();
 }
 

@@ -7,6 +7,7 @@
 
 #include "vansFlow.H"
 
+#include "crossingGrains.H"
 #include "dictionaryInput.H"
 #include "findRefCell.H"
 #include "fvc.H"
@@ -216,7 +217,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
     surfaceScalarField open("open", fvc::interpolate(eps));
     forAll(open.boundaryField(), patchi)
     {
-        // Where grains do not cross the boundary, all that does is fluid
+        // The velocity is that of the mixture
         if
         (
             !mesh_.boundary()[patchi].coupled()
@@ -226,7 +227,16 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluidFlux
             open.boundaryFieldRef()[patchi] = 1;
         }
     }
-    return resolved_.fluxOfVolume(open, relativePhiU(), fields_.phiOpen);
+    tmp<surfaceScalarField> tflux
+    (
+        resolved_.fluxOfVolume(open, relativePhiU(), fields_.phiOpen)
+    );
+    forAllConstIters(grains_.crossing, iter)
+    {
+        fvsPatchScalarField& flux = tflux.ref().boundaryFieldRef()[iter.key()];
+        flux -= crossingGrains::limited(iter.val(), flux);
+    }
+    return tflux;
 }
 
 

@@ -4,7 +4,15 @@
 
 import numpy as np
 import pytest
-from grain_box import control, grain_box, ledger, open_ends, replace
+from grain_box import (
+    assert_same_grains,
+    control,
+    grain_box,
+    ledger,
+    open_ends,
+    replace,
+    run_whole_and_parts,
+)
 from heat_box import CP, GRAIN_CP, GRAINS, KAPPA, heat_ledger, with_heat
 
 SPEED, SIDE, RADIUS, SHARE = 0.2, 0.1, 1e-3, 0.1
@@ -137,3 +145,24 @@ def test_grains_that_leave_against_the_fluid(clone):
     steps = slice(-150, None)
     flux = volume_that_came_in(heat_ledger(case), steps) / (150 * 2e-3)
     assert flux == pytest.approx((1 + SHARE) * MIXTURE, rel=0.01)
+
+
+@pytest.mark.parallel
+def test_ranks_that_share_the_patch_agree_and_a_restart_continues(clone):
+    cases = []
+    for name in ("whole", "parts", "several"):
+        case = channel(clone, method="diffused; length 0.01;", ratio=0.8)
+        case.path = case.path.rename(case.path.with_name(name))
+        feed(case, "bottom", SPEED)
+        control(case, deltaT=2e-3, endTime=0.1, writeInterval=25)
+        cases.append(case)
+    whole, parts, several = cases
+    run_whole_and_parts(whole, parts, "grainThermalFoam", 0.05, 0.1)
+    assert_same_grains(whole, parts)
+    np.testing.assert_array_equal(whole.field("T"), parts.field("T"))
+    several.run("decomposePar")
+    several.parallel("grainThermalFoam", 2)
+    several.run("reconstructPar")
+    np.testing.assert_allclose(whole.field("T"), several.field("T"), rtol=0, atol=1e-6)
+    books = [volume_that_came_in(heat_ledger(case)) for case in (whole, several)]
+    assert books[1] == pytest.approx(books[0], rel=1e-12)

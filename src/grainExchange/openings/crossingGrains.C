@@ -16,18 +16,7 @@ Foam::crossingGrains::crossingGrains(const grainSystem& grains)
 Foam::crossingGrains::partsOfGrains Foam::crossingGrains::parts() const
 {
     const fvMesh& mesh = grains_.mesh();
-
-    Map<DynamicList<part>> ofCells;
-    for (const label patchi : patches_)
-    {
-        const labelUList& cells = mesh.boundary()[patchi].faceCells();
-        const scalarField& area = mesh.magSf().boundaryField()[patchi];
-        forAll(cells, i)
-        {
-            ofCells(cells[i]).append(part{patchi, i, area[i]});
-        }
-    }
-
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     partsOfGrains result;
     const overlapList& overlaps = grains_.overlaps();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
@@ -38,14 +27,18 @@ Foam::crossingGrains::partsOfGrains Foam::crossingGrains::parts() const
         }
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            if (!ofCells.found(o.cell))
+            for (const label facei : mesh.cells()[o.cell])
             {
-                continue;
-            }
-            for (part one : ofCells[o.cell])
-            {
-                one.area *= o.volume/mesh.V()[o.cell];
-                result(graini).append(one);
+                const label patchi = patches.whichPatch(facei);
+                if (patches_.found(patchi))
+                {
+                    const label i = facei - patches[patchi].start();
+                    const scalar area = mesh.magSf().boundaryField()[patchi][i];
+                    result(graini).append
+                    (
+                        part{patchi, i, area*o.volume/mesh.V()[o.cell]}
+                    );
+                }
             }
         }
     }

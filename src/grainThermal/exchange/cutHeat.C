@@ -49,19 +49,21 @@ void Foam::cutHeat::add
         [&](const label i) { return grains_.temperatures().temperature(i); }
     );
 
-    scalarField atSurface(kappa.primitiveField());
+    tmp<volScalarField> withEddies;
     if (fluid.isTurbulent())
     {
-        atSurface *= fluid.kappa().primitiveField()/fluid.kappaEff()().primitiveField();
+        withEddies = fluid.kappaEff();
     }
     const scalarField& V = T.mesh().V();
     conductance_ = scalarField(grains_.overlaps().size(), Zero);
     for (const cutCells::wall& x : conduction_.cells().walls())
     {
-        conductance_[x.overlap] = atSurface[x.cell]*conduction_.perConductivity(x);
-        if (fluid.isTurbulent())
+        conductance_[x.overlap] = kappa[x.cell]*conduction_.perConductivity(x);
+        if (withEddies.valid())
         {
-            conductance_[x.overlap] *= throughLayer(x, fluid, U);
+            conductance_[x.overlap] *=
+                fluid.kappa()[x.cell]/withEddies()[x.cell]
+               *throughLayer(x, fluid, U);
         }
         cells.coefficient[x.cell] += conductance_[x.overlap]/V[x.cell];
     }

@@ -46,7 +46,7 @@ Foam::grainFluidHeat::grainFluidHeat
     )
 {
     checkProperties(T);
-    if (fluid.isTurbulent() && others && exchange.resolved().leavesParts())
+    if (fluid.isTurbulent() && others)
     {
         exchange.resolved().requireWholeCells("turbulence");
     }

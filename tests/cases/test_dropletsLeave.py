@@ -5,8 +5,8 @@
 import numpy as np
 import pytest
 from droplet_box import BOILING, GAS, droplet_table, make_gas, with_droplets
-from grain_box import DEPTH, control, grain_box, open_ends, replace
-from heat_box import heat_ledger, with_heat
+from grain_box import DEPTH, control, grain_box, ledger, open_ends, replace
+from heat_box import CP, GRAINS, heat_ledger, with_heat
 
 SPEED = 0.1
 OUTLET = "outlets { above { type patches; patches (top); } }\n"
@@ -76,6 +76,40 @@ def test_those_that_evaporate_leave_with_the_rest(clone):
     ranks.parallel("grainDropletFoam", 2)
     other = ranks.table("postProcessing/discharge.droplets/0/discharge.dat")
     np.testing.assert_allclose(other["totalMass"], left["totalMass"], rtol=1e-8)
+
+
+# The mixture's speed was the gas's, and up to 1.44 times the stream came in below
+@pytest.mark.parametrize("inside", [0, 2], ids=["alone", "with grains"])
+def test_gas_at_a_patch_of_given_velocity_is_what_liquid_and_grains_leave(clone, inside):
+    """All go at one speed; as much comes in below as went up before."""
+    place = [(0.048, 0.055)]
+    grains = [(0.045, 0.05), (0.05, 0.06)][:inside]
+    case = grain_box(clone, grains, 0.003, velocity=[(0, SPEED)] * inside)
+    open_ends(case, SPEED)
+    case.run("blockMesh")
+    given, top = f"type fixedValue; value uniform (0 {SPEED} 0);", "type zeroGradient;"
+    below = "type pressureInletOutletVelocity; value $internalField;"
+    replace(case, "0/U", "uniform (0 0 0)", f"uniform (0 {SPEED} 0)")
+    replace(case, "0/U", f"bottom {{ {given} }}", f"bottom {{ {below} }}")
+    replace(case, "0/U", f"top {{ {top} }}", f"top {{ {given} }}")
+    replace(case, "0/p_rgh", "top { type fixed", "bottom { type fixed")
+    replace(case, "0/p_rgh", '"left|right|bottom"', '"left|right|top"')
+    with_heat(case, T=BOILING, grains=BOILING)
+    with_droplets(case, place, 0.022, [(0, SPEED)], entries=OUTLET, density=2000)
+    properties = case.path / GRAINS
+    properties.write_text(properties.read_text() + OUTLET)
+    control(case, endTime=0.8, deltaT=1e-2, writeInterval=80)
+    case.run("grainDropletFoam")
+    assert droplet_table(case)["time"][-1] < 0.7
+    assert ledger(case)["grains"][-1] == 0
+    book = heat_ledger(case)
+    stream = 1000 * CP * BOILING * SPEED * 0.1 * DEPTH * 1e-2
+    # It swells by the grains in the first step.  Grains inside are taken as even there
+    each, whole = (0.04, 1e-4) if inside else (1e-9, 1e-9)
+    np.testing.assert_allclose(book["convected_bottom"][1:], -stream, rtol=each)
+    assert book["convected_bottom"][1:].sum() == pytest.approx(-79 * stream, rel=whole)
+    left = 80 - np.pi * (0.022**2 + inside * 0.003**2) / (0.1 * SPEED * 1e-2)
+    assert book["convected_top"].sum() == pytest.approx(left * stream, rel=whole)
 
 
 def test_one_that_leaves_where_there_is_no_outlet_is_called_a_droplet(clone):

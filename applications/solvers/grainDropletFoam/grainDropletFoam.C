@@ -125,7 +125,14 @@ int main(int argc, char *argv[])
         vectorField force, torque;
         term.forces(fields.U, flow.step().muf, force, torque);
         exchange.moveGrains(fields.U, flow.gradP(), flow.step().muf);
-        droplets.move(force, torque, runTime.deltaTValue());
+        exchange.addCrossing
+        (
+            droplets.move
+            (
+                force, torque, runTime.deltaTValue(),
+                exchange.fields().freePatches
+            )
+        );
         const std::vector<bool> dried(droplets.shrink());
         droplets.swell(term.inside());
         exchange.setEps();

@@ -58,7 +58,8 @@ Foam::liquidDroplets::liquidDroplets
     (
         dict_, system_,
         system_.motion().countOf(motionDict_.subDict("initialDroplets"))
-    )
+    ),
+    crossing_(system_)
 {
     if (areCut_ && dict_.found("outlets"))
     {
@@ -378,14 +379,22 @@ std::vector<bool> Foam::liquidDroplets::remove(const std::vector<bool>& dried)
 }
 
 
-void Foam::liquidDroplets::move
+Foam::Map<Foam::scalarField> Foam::liquidDroplets::move
 (
     const vectorField& force,
     const vectorField& torque,
-    const scalar deltaT
+    const scalar deltaT,
+    const labelHashSet& freePatches
 )
 {
+    crossing_.startStep(freePatches);
+    scalarField liquid(size());
+    forAll(liquid, i)
+    {
+        liquid[i] = 1 - inside_[i]/system_.volume(i);
+    }
     system_.move(force, torque, deltaT);
+    return crossing_.flux(liquid);
 }
 
 

@@ -139,6 +139,23 @@ void Foam::grainFluidExchange::moveGrains
 }
 
 
+void Foam::grainFluidExchange::addCrossing(const Map<scalarField>& others)
+{
+    forAllConstIters(others, iter)
+    {
+        const scalarField& flux = iter.val();
+        if (fields_.crossing.found(iter.key()))
+        {
+            fields_.crossing[iter.key()] += flux;
+        }
+        else
+        {
+            fields_.crossing.insert(iter.key(), flux);
+        }
+    }
+}
+
+
 void Foam::grainFluidExchange::discharge
 (
     volVectorField& U,

@@ -76,7 +76,10 @@ void Foam::crossingGrains::meshChanged()
 }
 
 
-Foam::Map<Foam::scalarField> Foam::crossingGrains::flux() const
+Foam::Map<Foam::scalarField> Foam::crossingGrains::flux
+(
+    const scalarField& share
+) const
 {
     Map<scalarField> result;
     if (patches_.empty())
@@ -118,7 +121,8 @@ Foam::Map<Foam::scalarField> Foam::crossingGrains::flux() const
         }
         const scalar before = graini < volume_.size() ? volume_[graini] : 0;
         const scalar out =
-            (before - grains_.mappedVolume()[graini])/mesh.time().deltaTValue();
+            share[graini]
+           *(before - grains_.mappedVolume()[graini])/mesh.time().deltaTValue();
         for (const part& one : parts[graini])
         {
             result[one.patch][one.face] += out*one.area/whole;

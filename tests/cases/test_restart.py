@@ -220,11 +220,10 @@ def test_materials_are_found_by_their_names(clone):
     assert "material glass, which is none of gold silica steel" in parts.log
 
 
-def start(case, program="grainFoam"):
+def start(case, program="grainFoam", log=subprocess.DEVNULL):
     """A solver that runs until it is told to stop."""
     env = os.environ | {"PWD": str(case.path)}
-    silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    return subprocess.Popen(program.split(), cwd=case.path, env=env, **silent)
+    return subprocess.Popen(program.split(), cwd=case.path, env=env, stdout=log, stderr=log)
 
 
 def wait_for(condition, solver, seconds=60):
@@ -305,3 +304,26 @@ def test_state_with_two_grains_of_one_id_is_refused(clone):
     for fragment in ("0.002/grains.h5", "two grains have the id 0"):
         assert fragment in case.log
     assert "printStack" not in case.log
+
+
+def test_a_dictionary_that_is_changed_in_a_run_is_said_to_be_read_at_the_start_alone(clone):
+    case = grain_box(clone, CASES["one"], RADIUS)
+    control(case, endTime=1000, writeInterval=1, purgeWrite=2)
+    replace(case, "system/controlDict", "runTimeModifiable false", "runTimeModifiable true")
+    log = case.path / "log"
+    with log.open("w") as file:
+        solver = start(case, log=file)
+        try:
+            wait_for(lambda: len(case.times) > 1, solver)
+            later = time.time() + 3600
+            for name in ("grainProperties", "transportProperties"):
+                os.utime(case.path / "constant" / name, (later, later))
+            wait_for(lambda: log.read_text().count("is read at the start alone") == 2, solver)
+            steps = log.read_text().count("\nTime = ")
+            wait_for(lambda: log.read_text().count("\nTime = ") > steps + 2, solver)
+        finally:
+            solver.kill()
+            solver.wait()
+    text = log.read_text()
+    for name in ("grainProperties", "transportProperties"):
+        assert text.count(f"constant/{name} has changed. It is read at the start alone") == 1

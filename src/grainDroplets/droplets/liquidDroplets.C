@@ -20,18 +20,7 @@ Foam::liquidDroplets::liquidDroplets
     const scalar fluidDensity
 )
 :
-    dict_
-    (
-        IOobject
-        (
-            "dropletProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    ),
+    dict_("dropletProperties", mesh),
     liquid_(dictionaryInput::subDict(dict_, "liquid"), fluidDensity),
     areCut_
     (

@@ -66,15 +66,7 @@ void Foam::evaporation::conductThrough
     surfaceScalarField& conductivity
 ) const
 {
-    surfaceScalarField byPart(term_.conductanceOfHeat());
-    forAll(byPart.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& atPatch = T.boundaryField()[patchi];
-        if (!atPatch.coupled() && !givesTemperature(atPatch))
-        {
-            byPart.boundaryFieldRef()[patchi] = 1;
-        }
-    }
+    const surfaceScalarField byPart(byDistance(term_.conductanceOfHeat(), T));
     conductivity *= byPart;
 
     // What is between a droplet and a wall is gas, though its cell has none

@@ -151,7 +151,7 @@ void Foam::resolvedHeat::setFaces
 {
     const fvMesh& mesh = grains_.mesh();
     const volScalarField grain(grainOfCells());
-    const surfaceScalarField byPart(resolved_.conductanceOfHeat());
+    const surfaceScalarField byPart(byDistance(resolved_.conductanceOfHeat(), T));
     const surfaceScalarField fluid("kappaOfFluid", faces);
 
     // Where there is a locked cell on either side, of the fluid between what it is
@@ -195,7 +195,6 @@ void Foam::resolvedHeat::setFaces
         const fvPatchScalarField& k = kappa.boundaryField()[patchi];
         const fvPatchScalarField& kFluid = kappaOfFluid.boundaryField()[patchi];
         const bool isWall = !g.coupled();
-        const bool asGiven = isWall && !givesTemperature(T.boundaryField()[patchi]);
         const scalarField whole
         (
             isWall
@@ -220,7 +219,7 @@ void Foam::resolvedHeat::setFaces
                 open(label(own[i]), kOwn[i], kNeighbour[i]),
                 whole[i],
                 label(own[i]), label(neighbour[i]), isWall,
-                asGiven ? 1 : byPart.boundaryField()[patchi][i]
+                byPart.boundaryField()[patchi][i]
             );
         }
     }

@@ -33,16 +33,9 @@ Foam::grainProperties<D>::grainProperties
     space_(mesh),
     dict_
     (
-        IOobject
-        (
-            set.properties ? word(set.name + "Properties") : "grainProperties",
-            mesh.time().constant(),
-            mesh,
-            set.properties ? IOobject::NO_READ : IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        set.properties ? *set.properties : dictionary::null
+        set.properties
+      ? inputDictionary(word(set.name + "Properties"), mesh, *set.properties)
+      : inputDictionary("grainProperties", mesh)
     ),
     set_(set),
     g_(g),

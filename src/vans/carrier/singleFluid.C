@@ -53,18 +53,7 @@ Foam::singleFluid::singleFluid
     const wordList& moreEntriesOfPlates
 )
 :
-    properties_
-    (
-        IOobject
-        (
-            "transportProperties",
-            U.time().constant(),
-            U.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    ),
+    properties_("transportProperties", U.mesh()),
     rho_
     (
         IOobject("rho", U.time().timeName(), U.mesh()),

@@ -21,13 +21,32 @@ using namespace Foam;
 constexpr label layers = 2;
 
 
-//- Index of the grain that has most of each locked cell, plus one; 0 for others
+//- Grains in the order of their labels, or in the opposite one: of two that are as
+//  near to a cell one order has the first, the other the second
+struct grainOrder
+{
+    label nGrains;
+    bool isReversed;
+
+    label grain(const label place) const
+    {
+        return isReversed ? nGrains - 1 - place : place;
+    }
+};
+
+
+//- Place in the order, plus one, of the grain that has most of each locked cell; 0
+//  for others
 volScalarField grainsOfCells
 (
     const grainSystem& grains,
-    const volScalarField& locked
+    const volScalarField& locked,
+    const grainOrder& order
 )
 {
+    // Differences of volumes that are the same
+    constexpr scalar roundOff = 1e-9;
+
     const fvMesh& mesh = locked.mesh();
     volScalarField result
     (
@@ -37,15 +56,18 @@ volScalarField grainsOfCells
         zeroGradientFvPatchScalarField::typeName
     );
     scalarField most(mesh.nCells(), Zero);
-    const overlapList& overlaps = grains.overlaps();
-    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    for (label place = 0; place < order.nGrains; ++place)
     {
-        for (const cellOverlap& o : overlaps.of(graini))
+        for (const cellOverlap& o : grains.overlaps().of(order.grain(place)))
         {
-            if (locked[o.cell] > 0.5 && o.volume > most[o.cell])
+            if
+            (
+                locked[o.cell] > 0.5
+             && o.volume > (1 + roundOff)*most[o.cell]
+            )
             {
                 most[o.cell] = o.volume;
-                result[o.cell] = graini + 1;
+                result[o.cell] = place + 1;
             }
         }
     }
@@ -86,10 +108,10 @@ void addStress
     const auto add =
         [&](const label celli, const scalar beyond, const vector& value)
         {
-            const label graini = label(grainOf[celli] + 0.5) - 1;
-            if (graini >= 0 && mag(grainOf[celli] - beyond) > 0.5)
+            const label place = label(grainOf[celli] + 0.5) - 1;
+            if (place >= 0 && mag(grainOf[celli] - beyond) > 0.5)
             {
-                force[graini] += value;
+                force[place] += value;
             }
         };
     forAll(mesh.neighbour(), facei)
@@ -119,6 +141,49 @@ void addStress
     }
 }
 
+//- Add part of the force on the cells of each grain, over their volume
+void addForce
+(
+    const surfaceVectorField& stress,
+    const volVectorField& inCells,
+    const volScalarField& own,
+    const label nGrains,
+    const scalar part,
+    volVectorField& result
+)
+{
+    const scalarField& V = own.mesh().V().field();
+    volScalarField grainOf("grainAround", own);
+    for (label i = 0; i < layers; ++i)
+    {
+        spreadToNeighbours(grainOf);
+    }
+    grainOf.correctBoundaryConditions();
+
+    vectorField force(nGrains, Zero);
+    scalarField volume(nGrains, Zero);
+    addStress(stress, grainOf, force);
+    forAll(V, celli)
+    {
+        const label place = label(grainOf[celli] + 0.5) - 1;
+        if (place >= 0)
+        {
+            force[place] -= V[celli]*inCells[celli];
+            volume[place] += own[celli] > 0.5 ? V[celli] : 0;
+        }
+    }
+    sumOverRanks(force);
+    sumOverRanks(volume);
+    forAll(V, celli)
+    {
+        const label place = label(own[celli] + 0.5) - 1;
+        if (place >= 0)
+        {
+            result[celli] += part*force[place]/volume[place];
+        }
+    }
+}
+
 }
 
 
@@ -138,31 +203,6 @@ Foam::tmp<Foam::volVectorField> Foam::tensionOnGrains
     {
         return tmp<volVectorField>();
     }
-    volScalarField grainOf(grainsOfCells(grains, locked));
-    const scalarField own(grainOf.primitiveField());
-    for (label i = 0; i < layers; ++i)
-    {
-        spreadToNeighbours(grainOf);
-    }
-    grainOf.correctBoundaryConditions();
-
-    const label nGrains = grains.overlaps().nGrains();
-    vectorField force(nGrains, Zero);
-    scalarField volume(nGrains, Zero);
-    addStress(stressOfFaces(fluid), grainOf, force);
-    const volVectorField inCells(reconstructed(fluid.tensionOfFaces()*mesh.magSf()));
-    forAll(own, celli)
-    {
-        const label graini = label(grainOf[celli] + 0.5) - 1;
-        if (graini >= 0)
-        {
-            force[graini] -= mesh.V()[celli]*inCells[celli];
-            volume[graini] += own[celli] > 0.5 ? mesh.V()[celli] : 0;
-        }
-    }
-    sumOverRanks(force);
-    sumOverRanks(volume);
-
     tmp<volVectorField> tresult
     (
         new volVectorField
@@ -172,14 +212,23 @@ Foam::tmp<Foam::volVectorField> Foam::tensionOnGrains
             dimensionedVector(dimForce/dimVolume, Zero)
         )
     );
-    volVectorField& result = tresult.ref();
-    forAll(own, celli)
+    const surfaceVectorField stress(stressOfFaces(fluid));
+    const volVectorField inCells
+    (
+        reconstructed(fluid.tensionOfFaces()*mesh.magSf())
+    );
+    const label nGrains = grains.overlaps().nGrains();
+    for (const bool isReversed : {false, true})
     {
-        const label graini = label(own[celli] + 0.5) - 1;
-        if (graini >= 0)
-        {
-            result[celli] = force[graini]/volume[graini];
-        }
+        addForce
+        (
+            stress,
+            inCells,
+            grainsOfCells(grains, locked, {nGrains, isReversed}),
+            nGrains,
+            0.5,
+            tresult.ref()
+        );
     }
     return tresult;
 }

@@ -7,7 +7,7 @@
 
 #include "combineOverRanks.H"
 
-void Foam::flowAround::restoreBed()
+void Foam::flowAround::restoreBed(const vector& v)
 {
     // Among grains at random the filtered fraction varies by less
     constexpr scalar least = 0.08, full = 0.14;
@@ -16,10 +16,12 @@ void Foam::flowAround::restoreBed()
     const scalar jump = mag(epsJump);
     const scalar part =
         min(max((jump/phi - least)/(full - least), scalar(0)), scalar(1));
-    const scalar ofBed = min(phi + part*jump, max(phi, 1 - eps));
+    const scalar ofCells = max(phi, 1 - eps);
+    const scalar ofBed = min(phi + part*jump, ofCells);
+    const scalar restored = (ofBed - phi)/max(ofCells - phi, SMALL);
 
-    filteredU *= filteredEps/max(1 - ofBed, SMALL);
-    filteredGradP *= ofBed/phi;
+    filteredU = v + filteredEps/max(1 - ofBed, SMALL)*(filteredU - v);
+    filteredGradP += restored*(gradP - filteredGradP);
     filteredEps = 1 - ofBed;
 }
 
@@ -67,8 +69,9 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
     }
     sumRecordsOverRanks(grains.shared(), result);
 
-    for (flowAround& mean : result)
+    forAll(result, graini)
     {
+        flowAround& mean = result[graini];
         const scalar volume = max(mean.volume, VSMALL);
         mean.rho /= volume;
         mean.mu /= volume;
@@ -82,7 +85,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
         mean.filteredU /= volume;
         mean.gradP /= volume;
         mean.filteredGradP /= volume;
-        mean.restoreBed();
+        mean.restoreBed(grains.motion().velocity(graini));
     }
     return result;
 }

@@ -222,3 +222,58 @@ def test_impacts_with_resistance_to_rolling_give_no_energy(clone, dimension):
     energy = book["kineticEnergy"]
     assert (np.diff(energy) <= 1e-9 * energy[0]).all()
     assert energy[-1] < 0.9 * energy[0]
+
+
+CHAINS = """functions
+{
+    forceChains
+    {
+        type            contactNetwork;
+        libs            ("libgrainFunctionObjects.so");
+        writeControl    writeTime;
+    }
+"""
+
+
+def heap(dimension, columns=5, rows=4):
+    """Rows of touching grains in the hollows of those below, on the floor, in a plane."""
+    places = []
+    for row in range(rows):
+        x = 0.03 + RADIUS * (2 * np.arange(columns - row) + row)
+        z = np.full(x.shape, RADIUS * (1 + row * np.sqrt(3)))
+        places.append(np.column_stack([x, z] if dimension == 2 else [x, np.full(x.shape, 0.05), z]))
+    return np.vstack(places)
+
+
+def forces_of_contacts(case, time):
+    """Normal forces over the weight of a grain, by the pair."""
+    text = (case.path / f"postProcessing/forceChains/contacts_{time}.vtk").read_text().split()
+    names = ("first", "second", "normal")
+    begin = [text.index(name) + 5 for name in names]
+    number = int(text[text.index("CELL_DATA") + 1])
+    first, second, normal = (np.array(text[b : b + number], dtype=float) for b in begin)
+    order = np.lexsort([second, first])
+    return np.column_stack([first, second])[order], normal[order]
+
+
+@pytest.mark.parametrize("rolling", [0, 0.2])
+@DIMENSIONS
+def test_attraction_that_begins_leaves_a_heap_as_it_is(clone, dimension, rolling):
+    """20 weights between all grains of a heap that lies still: what carried it carries it still.
+
+    Where contacts are more than equilibrium tells, their forces can hold each other with up to the
+    attraction each."""
+    case = dry_box(clone, heap(dimension), RADIUS, dimension=dimension)
+    attracts = f"cohesion {20 * weight(dimension)}; cohesionDelay 0.0495;"
+    set_law(case, f"type cohesive; friction 1; rolling {rolling}; {attracts}")
+    replace(case, "system/controlDict", "functions\n{\n", CHAINS)
+    replace(case, GRAINS, "tolerance   1e-7", "tolerance   1e-11")
+    replace(case, GRAINS, "maxSweeps   200", "maxSweeps   2000")
+    control(case, endTime=0.06, writeInterval=1)
+    case.run("dryGrainFoam")
+    pairs, before = forces_of_contacts(case, "0.049")
+    for time in ("0.051", "0.06"):
+        others, after = forces_of_contacts(case, time)
+        np.testing.assert_array_equal(others, pairs)
+        # Of a weight; the tolerance over g dt^2 is 1e-6
+        np.testing.assert_allclose(after, before, rtol=0, atol=1e-4 * weight(dimension))

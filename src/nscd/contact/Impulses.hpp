@@ -17,6 +17,7 @@ struct Impulse
     Tangent<D> tangential = zeroTangent<D>();
     Tangent<D> rolling = zeroTangent<D>();   ///< angular impulse on the second [N m s]
     double age = 0;   ///< how long the contact, or one that it continues, has carried an impulse without a break [s]
+    double attraction = 0;   ///< of its bodies, which is in 'normal' (doc/theory, eq. 5.10) [N s]
 };
 
 /// What the contact of a pair, or the impacts before it, gave to the second body in a sub-step.

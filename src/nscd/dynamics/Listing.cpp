@@ -133,6 +133,7 @@ void ContactDynamics<D>::Implementation::updateCandidates(double dt)
             impulse.normal *= dt / lastSubStep_;
             impulse.tangential *= dt / lastSubStep_;
             impulse.rolling *= dt / lastSubStep_;
+            impulse.attraction *= dt / lastSubStep_;
         }
     }
 }

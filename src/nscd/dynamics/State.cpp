@@ -157,11 +157,13 @@ void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
     Table<double> tangential{impulses.size(), columns, {}};
     Table<double> rolling{impulses.size(), columns, {}};
     Table<double> age{impulses.size(), 1, {}};
+    Table<double> attraction{impulses.size(), 1, {}};
     for (const NamedImpulse<D>& i : impulses)
     {
         pair.values.insert(pair.values.end(), {i.a, i.b});
         normal.values.push_back(i.impulse.normal);
         age.values.push_back(i.impulse.age);
+        attraction.values.push_back(i.impulse.attraction);
         append(tangential, i.impulse.tangential);
         append(rolling, i.impulse.rolling);
     }
@@ -169,6 +171,7 @@ void writeContacts(Hdf5File& out, const std::vector<NamedImpulse<D>>& impulses)
     out.write("contacts/normalImpulse", normal, "N s");
     out.write("contacts/rollingImpulse", rolling, "N m s, on the second of the pair");
     out.write("contacts/age", age, "s");
+    out.write("contacts/attraction", attraction, "N s, in the normal impulse");
     out.write("contacts/tangentialImpulse", tangential, "N s, on the second of the pair");
 }
 
@@ -181,6 +184,7 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
     const Table<double> rolling =
         readTable<double>(in, file, "contacts/rollingImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     const Table<double> age = readTable<double>(in, file, "contacts/age", n, 1);
+    const Table<double> attraction = readTable<double>(in, file, "contacts/attraction", n, 1);
     const Table<double> tangential =
         readTable<double>(in, file, "contacts/tangentialImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     std::vector<NamedImpulse<D>> impulses;
@@ -198,6 +202,7 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
         NamedImpulse<D> impulse{static_cast<int>(a), static_cast<int>(b), {}};
         impulse.impulse.normal = normal.values[c];
         impulse.impulse.age = age.values[c];
+        impulse.impulse.attraction = attraction.values[c];
         impulse.impulse.tangential = tangentAt<D>(tangential, c);
         impulse.impulse.rolling = tangentAt<D>(rolling, c);
         impulses.push_back(impulse);

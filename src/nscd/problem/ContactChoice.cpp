@@ -99,17 +99,20 @@ void ContactProblem<D>::choose(std::vector<Body<D>>& bodies, const std::vector<I
             const bool isDeep = std::max(gap, approach.gap) < -largestPush * radius;
             const Origin origin{p, isDeep ? -largestPush * radius : gap, attraction(p, gap, impulses[p]), gap};
             const double limit = approachLimit(p, gap, origin.attraction > 0);
+            // An attraction that begins or ends moves nothing by itself
+            Impulse<D> start = impulses[p];
+            start.normal = std::max(0.0, start.normal + origin.attraction - start.attraction);
             if (isLevered(pair))
             {
-                addLevered(pair, approach, impulses[p], j, bodies);
+                addLevered(pair, approach, start, j, bodies);
                 levered_.back().approachLimit = limit;
                 leveredOrigin_.push_back(origin);
                 continue;
             }
             contacts_.push_back({approach.normal, limit,
                                  1 / normalW(bodies[i], bodies[j]),
-                                 arrangement_.parameters(pair).friction, impulses[p].normal,
-                                 inTangentPlane<D>(impulses[p].tangential, approach.normal), i, j});
+                                 arrangement_.parameters(pair).friction, start.normal,
+                                 inTangentPlane<D>(start.tangential, approach.normal), i, j});
             origin_.push_back(origin);
         }
     }

@@ -116,6 +116,7 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
             Impulse<D>& impulse = impulses[origin_[k].pair];
             impulse.normal = c.normalImpulse;
             impulse.tangential = c.slipImpulse;
+            impulse.attraction = origin_[k].attraction;
         }
     }
     for (std::size_t k = 0; k < levered_.size(); ++k)
@@ -127,6 +128,7 @@ void ContactProblem<D>::store(std::vector<Impulse<D>>& impulses) const
             impulse.normal = c.impulse[0];
             impulse.tangential = tangential(c);
             impulse.rolling = c.moment;
+            impulse.attraction = leveredOrigin_[k].attraction;
         }
     }
 }

@@ -184,7 +184,10 @@ std::vector<NamedImpulse<D>> readContacts(const Hdf5File& in, const std::string&
     const Table<double> rolling =
         readTable<double>(in, file, "contacts/rollingImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     const Table<double> age = readTable<double>(in, file, "contacts/age", n, 1);
-    const Table<double> attraction = readTable<double>(in, file, "contacts/attraction", n, 1);
+    // Older states do not have it
+    const Table<double> attraction = in.contains("contacts/attraction")
+        ? readTable<double>(in, file, "contacts/attraction", n, 1)
+        : Table<double>{n, 1, std::vector<double>(n, 0.0)};
     const Table<double> tangential =
         readTable<double>(in, file, "contacts/tangentialImpulse", n, sizeof(Tangent<D>) / sizeof(double));
     std::vector<NamedImpulse<D>> impulses;

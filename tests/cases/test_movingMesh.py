@@ -303,3 +303,32 @@ def test_the_surface_of_a_bed_is_the_same_in_an_accelerated_tank(clone):
     assert np.abs(velocities[1]).max() > 0.02
     # Measured 3e-4; a step of the acceleration is 1.5 mm/s
     np.testing.assert_allclose(*velocities, atol=0.001)
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1)], ids=["across", "along"])
+@pytest.mark.parametrize("speed", [1e-3, 0.1])
+def test_a_disc_of_one_cell_begins_to_fall_in_a_box_that_moves_as_in_one_at_rest(clone, speed, way):
+    """In the middle of a cell, steps of 6e-4 of a cell and less: the limiter of face fluxes knew
+    the speed of the box, and the disc was 4e-6 to 6e-4 of 9e-3 m/s off."""
+    velocities = []
+    for moves in (False, True):
+        frame = [float(moves * speed * component) for component in way]
+        place = (0.055, 0.055)
+        case = grain_box(clone, [place], 0.0052, velocity=[frame], name=f"moves{moves}")
+        replace(case, "constant/transportProperties", "1e-4", "1e-6")
+        options = "undisturbedFlow { type none; }"
+        replace(case, "constant/grainProperties", "\ncoupling\n{", f"\ncoupling\n{{ {options}")
+        if moves:
+            U = f"uniform ({frame[0]} {frame[1]} 0)"
+            replace(case, "0/U", "internalField   uniform (0 0 0)", f"internalField   {U}")
+            replace(case, "0/U", "type    noSlip", f"type movingWallVelocity; value {U}")
+            wall = "material    steel;\n    }"
+            moving = wall.replace("}", "motion { type mesh; } }")
+            replace(case, "constant/grainProperties", wall, moving)
+            translate(case, (*frame, 0))
+        control(case, deltaT=6.25e-5, endTime=2e-3, writeInterval=32)
+        case.run("grainFoam")
+        velocities.append(case.grains()["velocity"][0, :2] - frame)
+    assert velocities[0][1] < -9e-3
+    # Measured 1e-7; the solvers' tolerances
+    np.testing.assert_allclose(*velocities, rtol=0, atol=1e-6)

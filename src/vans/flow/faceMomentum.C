@@ -105,6 +105,16 @@ tmp<surfaceScalarField> inside
 }
 
 
+//- A flux as the faces see it: limiters must not know how fast all moves together
+tmp<surfaceScalarField> pastFaces(const surfaceScalarField& flux)
+{
+    return
+        flux.mesh().moving()
+      ? flux - flux.mesh().phi()
+      : tmp<surfaceScalarField>(flux);
+}
+
+
 //- Share of the volume that moves with what the face does, times the share of the
 //  pressure gradient that moves it
 tmp<volScalarField> shareOf
@@ -145,7 +155,7 @@ tmp<surfaceScalarField> changeOfOldFlux
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
         return
-            inside(limiterBetweenFluids(flux, difference, rho)(), U)
+            inside(limiterBetweenFluids(pastFaces(flux)(), difference, rho)(), U)
            *fvc::interpolate(leastInertia(step, rho)/(faces.A*deltaT))
            *difference/deltaT;
     }
@@ -158,8 +168,9 @@ tmp<surfaceScalarField> changeOfOldFlux
         change -= weights.earlier
            *beyondCells(flux.oldTime(), U.oldTime().oldTime());
     }
+    const surfaceScalarField ofFace(fvc::flux(U.oldTime()) + difference);
     return
-        inside(limiter(fvc::flux(U.oldTime()) + difference, difference)(), U)
+        inside(limiter(pastFaces(ofFace)(), difference)(), U)
        *change/deltaT;
 }
 

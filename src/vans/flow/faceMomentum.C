@@ -105,11 +105,16 @@ tmp<surfaceScalarField> inside
 }
 
 
-//- A flux as the faces see it: limiters must not know how fast all moves together
-tmp<surfaceScalarField> pastFaces(const surfaceScalarField& flux)
+//- A flux as the faces see it: among grains no limiter must know how fast all moves
+//  together.  Without grains it is OpenFOAM's.
+tmp<surfaceScalarField> pastFaces
+(
+    const surfaceScalarField& flux,
+    const stepCoefficients& step
+)
 {
     return
-        flux.mesh().moving()
+        flux.mesh().moving() && gMin(step.eps.primitiveField()) < 1
       ? flux - flux.mesh().phi()
       : tmp<surfaceScalarField>(flux);
 }
@@ -155,7 +160,10 @@ tmp<surfaceScalarField> changeOfOldFlux
         // OpenFOAM's limiter in their place the drag of narrow gaps depends on
         // the time step (doc/theory, eq. 3.14).
         return
-            inside(limiterBetweenFluids(pastFaces(flux)(), difference, rho)(), U)
+            inside
+            (
+                limiterBetweenFluids(pastFaces(flux, step)(), difference, rho)(), U
+            )
            *fvc::interpolate(leastInertia(step, rho)/(faces.A*deltaT))
            *difference/deltaT;
     }
@@ -170,7 +178,7 @@ tmp<surfaceScalarField> changeOfOldFlux
     }
     const surfaceScalarField ofFace(fvc::flux(U.oldTime()) + difference);
     return
-        inside(limiter(pastFaces(ofFace)(), difference)(), U)
+        inside(limiter(pastFaces(ofFace, step)(), difference)(), U)
        *change/deltaT;
 }
 

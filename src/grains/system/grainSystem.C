@@ -107,17 +107,62 @@ void Foam::grainSystem::setCells()
 }
 
 
+Foam::vectorField Foam::grainSystem::waysOfCells() const
+{
+    vectorField way(size(), Zero);
+    if (!mesh_.moving() || mesh_.topoChanging())
+    {
+        return way;
+    }
+    const pointField& before = mesh_.oldPoints();
+    for (label i = 0; i < size(); ++i)
+    {
+        for (const cellOverlap& o : overlaps_.of(i))
+        {
+            const labelList& points = mesh_.cellPoints()[o.cell];
+            for (const label pointi : points)
+            {
+                way[i] +=
+                    o.volume*(mesh_.points()[pointi] - before[pointi])
+                   /points.size();
+            }
+        }
+    }
+    sumOverRanks(way);
+    forAll(way, i)
+    {
+        way[i] /= max(mappedVolume_[i], VSMALL);
+    }
+    return way;
+}
+
+
 void Foam::grainSystem::meshChanged()
 {
+    const vectorField ways(waysOfCells());
     motion_->meshChanged();
     setCells();
-    map();
+    map(ways);
 }
 
 
 void Foam::grainSystem::map()
 {
+    map(vectorField(size(), Zero));
+}
+
+
+void Foam::grainSystem::map(const vectorField& displacements)
+{
     bodies_ = motion_->bodies();
+    bodies_.centre += displacements;
+    for (label i = 0; i < size(); ++i)
+    {
+        for (label k = bodies_.start[i]; k < bodies_.start[i + 1]; ++k)
+        {
+            bodies_.member[k].centre += displacements[i];
+        }
+    }
     voidFraction_->map(bodies_, overlaps_);
 
     mappedVolume_.resize(size());

@@ -109,11 +109,11 @@ void Foam::grainSystem::setCells()
 
 Foam::vectorField Foam::grainSystem::waysOfCells() const
 {
-    vectorField way(size(), Zero);
     if (!mesh_.moving() || mesh_.topoChanging())
     {
-        return way;
+        return vectorField();
     }
+    vectorField way(size(), Zero);
     const pointField& before = mesh_.oldPoints();
     for (label i = 0; i < size(); ++i)
     {
@@ -148,16 +148,16 @@ void Foam::grainSystem::meshChanged()
 
 void Foam::grainSystem::map()
 {
-    map(vectorField(size(), Zero));
+    map(vectorField());
 }
 
 
 void Foam::grainSystem::map(const vectorField& displacements)
 {
     bodies_ = motion_->bodies();
-    bodies_.centre += displacements;
-    for (label i = 0; i < size(); ++i)
+    forAll(displacements, i)
     {
+        bodies_.centre[i] += displacements[i];
         for (label k = bodies_.start[i]; k < bodies_.start[i + 1]; ++k)
         {
             bodies_.member[k].centre += displacements[i];

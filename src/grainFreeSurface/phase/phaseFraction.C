@@ -9,6 +9,7 @@
 
 #include "boundedCorrection.H"
 #include "CMULES.H"
+#include "fixedValueFvPatchFields.H"
 #include "fluidInput.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -16,6 +17,30 @@
 #include "gaussLaplacianScheme.H"
 #include "upwind.H"
 #include "tensionOnGrains.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- 1 on faces of a patch of given fraction through which fluid leaves, else 0:
+//  it has the fraction of its cell
+tmp<scalarField> leavesGivenFraction
+(
+    const surfaceScalarField& F,
+    const volScalarField& alpha,
+    const label patchi
+)
+{
+    const fvPatchScalarField& patch = alpha.boundaryField()[patchi];
+    return
+        isA<fixedValueFvPatchScalarField>(patch)
+      ? pos(F.boundaryField()[patchi] - VSMALL)
+      : tmp<scalarField>(new scalarField(patch.size(), Zero));
+}
+
+}
+
 
 Foam::phaseFraction::phaseFraction
 (
@@ -85,6 +110,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseFraction::carryUpwind
         ).fvmDiv(F, alpha)
     );
     fvScalarMatrix& equation = tequation.ref();
+    forAll(alpha.boundaryField(), patchi)
+    {
+        const scalarField leaves(leavesGivenFraction(F, alpha, patchi));
+        equation.internalCoeffs()[patchi] +=
+            leaves*(F.boundaryField()[patchi] - equation.internalCoeffs()[patchi]);
+        equation.boundaryCoeffs()[patchi] *= 1 - leaves;
+    }
     equation -= fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
     (
         swap, mesh.nonOrthDeltaCoeffs(), alpha
@@ -158,6 +190,11 @@ void Foam::phaseFraction::correct
     if (continued_.isAny())
     {
         correction *= continued_.openFaces();
+    }
+    forAll(alpha.boundaryField(), patchi)
+    {
+        correction.boundaryFieldRef()[patchi] *=
+            1 - leavesGivenFraction(F, alpha, patchi);
     }
     MULES::limitCorr
     (

@@ -14,6 +14,7 @@ from grain_box import (
     replace,
     run_whole_and_parts,
     tracks,
+    write_csv,
 )
 from moving_mesh import add_motion
 
@@ -114,6 +115,21 @@ def test_a_piston_pushes_fluid_and_grains(clone, kind):
     assert overlap.max() <= 2 * TOLERANCE
     assert overlap[len(overlap) // 2 :].max() >= -TOLERANCE
     assert lines[-24:, 2].mean() > lines[:24, 2].mean() + 0.7 * SPEED * END
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_piston_before_fixed_grains(clone, kind):
+    """It pushes the fluid past them; the wall of grains goes with its patch."""
+    case = piston(clone, *MOTIONS[kind])
+    grains = lattice(3, 6, 2.1 * RADIUS, (0.04, 0.02))
+    write_csv(case, grains, RADIUS)
+    replace(case, PROPERTIES, "\ncoupling\n{", "\ncoupling\n{ motion fixed;")
+    case.run("grainFoam")
+    flux = np.loadtxt(case.path / "postProcessing/outflow/0/surfaceFieldValue.dat")[:, 1]
+    np.testing.assert_allclose(flux, SPEED * HEIGHT * DEPTH, rtol=1e-10)
+    np.testing.assert_array_equal(case.grains()["position"][:, :2], grains)
+    # Drag of the stream that the piston makes
+    assert tracks(case)[-len(grains) :, 11].sum() > 0
 
 
 def test_a_wall_that_moves_the_mesh_and_one_that_follows_it_are_the_same(clone):

@@ -197,7 +197,18 @@ void Foam::grainDynamics<D>::move
     const scalar deltaT
 )
 {
-    if (!isFixed())
+    if (isFixed())
+    {
+        underForces
+        (
+            vectorField(), vectorField(), deltaT,
+            [&](const nscd::Vectors<D>&, const nscd::Spins<D>&)
+            {
+                dynamics_->carryWalls(deltaT);
+            }
+        );
+    }
+    else
     {
         advance(fluidForce, fluidTorque, deltaT);
     }

@@ -67,6 +67,12 @@ void ContactDynamics<D>::setWallMotion(int body, const Vector<D>& velocity, cons
 }
 
 template <int D>
+void ContactDynamics<D>::carryWalls(double dt)
+{
+    implementation_->carryWalls(dt);
+}
+
+template <int D>
 void ContactDynamics<D>::setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque)
 {
     implementation_->setWallLoad(body, force, torque);

@@ -101,6 +101,9 @@ public:
     /// Velocity [m/s] and spin [rad/s] of a wall body in the steps to come.  Throws std::invalid_argument.
     void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
 
+    /// Walls of prescribed motion go on for the time dt [s], without contacts: of grains that are held.
+    void carryWalls(double dt);
+
     /// Force [N] and torque [N m] on a free wall body in the steps to come.  Throws std::invalid_argument.
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
 

@@ -32,6 +32,7 @@ public:
     const std::vector<WallBody<D>>& wallBodies() const { return wallBodies_; }
 
     void setWallMotion(int body, const Vector<D>& velocity, const Spin<D>& spin);
+    void carryWalls(double dt);
     void setWallLoad(int body, const Vector<D>& force, const Spin<D>& torque);
     std::vector<ContactForce<D>> contacts() const;
     std::vector<WallImpulse<D>> wallImpulses() const;

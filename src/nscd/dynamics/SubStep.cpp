@@ -213,8 +213,24 @@ void ContactDynamics<D>::Implementation::moveWalls(double dt, StepReport& report
     arrangement_.walls().place(initialWallBodies_, wallBodies_);
 }
 
+template <int D>
+void ContactDynamics<D>::Implementation::carryWalls(double dt)
+{
+    for (WallBody<D>& wall : wallBodies_)
+    {
+        if (!isFree(wall))
+        {
+            wall.position += dt * wall.velocity;
+            turn(wall, dt);
+        }
+    }
+    arrangement_.walls().place(initialWallBodies_, wallBodies_);
+}
+
 template Body<2> ContactDynamics<2>::Implementation::freeBody(std::size_t) const;
 template Body<3> ContactDynamics<3>::Implementation::freeBody(std::size_t) const;
+template void ContactDynamics<2>::Implementation::carryWalls(double);
+template void ContactDynamics<3>::Implementation::carryWalls(double);
 template void ContactDynamics<2>::Implementation::advance(double, StepReport&);
 template void ContactDynamics<3>::Implementation::advance(double, StepReport&);
 

@@ -36,6 +36,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
     const scalarField& eps,
     const vectorField& U,
     const vectorField& gradP,
+    const flowAtOverlaps& at,
     const filteredFlow& filtered
 )
 {
@@ -61,7 +62,7 @@ Foam::List<Foam::flowAround> Foam::flowAroundGrains
             sum.eps += o.volume*eps[o.cell];
             sum.filteredEps += o.volume*filtered.eps[o.cell];
             sum.epsJump += o.volume*filtered.epsJump[o.cell];
-            sum.U += o.volume*U[o.cell];
+            sum.U += o.volume*(U[o.cell] + at.velocity(o));
             sum.filteredU += o.volume*filtered.U[o.cell];
             sum.gradP += o.volume*gradP[o.cell];
             sum.filteredGradP += o.volume*filtered.gradP[o.cell];

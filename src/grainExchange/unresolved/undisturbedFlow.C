@@ -197,6 +197,7 @@ void Foam::undisturbedFlow::set
     const carrier& fluid,
     const volScalarField& eps,
     const volVectorField& U,
+    const flowAtOverlaps& at,
     const dragLaw& law
 )
 {
@@ -217,7 +218,7 @@ void Foam::undisturbedFlow::set
     (
         flowAroundGrains
         (
-            grains, fluid, weight, cellSize_, section_, eps, U, gradP_,
+            grains, fluid, weight, cellSize_, section_, eps, U, gradP_, at,
             filtered(weight, eps, U, d)
         )
     );

@@ -56,7 +56,7 @@ void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
         {
             vector& e = knownForce_[o.index];
             const tensor& grad = gradU[o.cell];
-            const vector w(U[o.cell] - motion.at(o.arm));
+            const vector w(U[o.cell] + at_.velocity(o) - motion.at(o.arm));
 
             e = -dragOfAddedMass(fluid_.rho()[o.cell])*(w - deltaT*(through()[o.cell] & grad));
 
@@ -107,7 +107,8 @@ void Foam::unresolvedTerm::addForceAtStart
             const scalar volume = (1 - inLiquid)*o.volume;
             force[graini] +=
                 weight_.force(o.volume, rho()[o.cell])
-              + volume*(gamma*(U[o.cell] - v) + knownForce_[o.index]);
+              + volume
+               *(gamma*(U[o.cell] + at_.velocity(o) - v) + knownForce_[o.index]);
             massOfDrag[graini] += volume*gamma*deltaT;
             if (inLiquid > 0)
             {
@@ -219,7 +220,7 @@ void Foam::unresolvedTerm::addForce
             const vector shear
             (
                 o.volume*(t.gamma - dragOfAddedMass(fluid_.rho()[o.cell]))*t.a
-               *(fromCentre & gradU[o.cell])
+               *((fromCentre & gradU[o.cell]) - at_.velocity(o))
             );
             force[graini] += weight_.force(o.volume, rho()[o.cell]);
             force[graini] += f;
@@ -228,7 +229,7 @@ void Foam::unresolvedTerm::addForce
                 isRound
               ? turning::shareOfLaw
                 (
-                    grains_.fluidDiameter(graini), undisturbed_.cellSize(o.cell)
+                    grains_.fluidDiameter(graini), undisturbed_.cellSize()[o.cell]
                 )
               : 0;
             torque[graini] += (1 - byLaw)*(o.arm ^ (f + shear));

@@ -185,8 +185,9 @@ void Foam::unresolvedTerm::predict
     // Of the whole grain: where it lies in the surface of two fluids, its parts in
     // them would fall and rise by themselves in what the fluid expects
     const scalarField displaced(weight_.displaced());
+    at_.set(grains_, resolved, undisturbed_.cellSize(), U);
     setKnownForce(U);
-    undisturbed_.set(grains_, resolved, fluid_, cellEps, U, *drag_);
+    undisturbed_.set(grains_, resolved, fluid_, cellEps, U, at_, *drag_);
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -213,6 +214,8 @@ void Foam::unresolvedTerm::predict
         for (const cellOverlap& o : overlaps.of(graini))
         {
             const vector& e = knownForce_[o.index];
+            const vector& faster = at_.velocity(o);
+            const vector own(free.at(o.arm) + deltaT/rhop*e);
             const implicitTransfer<vector>& t = transfer_[o.index] =
                 implicitTransfer<vector>
                 (
@@ -224,11 +227,11 @@ void Foam::unresolvedTerm::predict
                         o.volume/room[o.cell],
                         resolved.isLiquid(o.cell),
                         max(cellEps[o.cell], exchangeFields::epsMin),
-                        U[o.cell] - motion.at(o.arm)
+                        U[o.cell] + faster - motion.at(o.arm)
                     ),
                     deltaT,
                     rhop,
-                    free.at(o.arm) + deltaT/rhop*e
+                    own - faster
                 );
 
             scalar w = o.volume/V[o.cell];
@@ -270,10 +273,11 @@ void Foam::unresolvedTerm::predict
                 isFixed ? w*max(least - cellEps[o.cell], scalar(0)) : wat*t.gamma;
             fields.beta[o.cell] += wag;
             fields.b[o.cell] += wag*t.free - w*e;
-            fields.G[o.cell] += wa*t.free;
+            const vector flux(wa*own + w*(1 - t.a)*faster);
+            fields.G[o.cell] += flux;
             fields.mobile[o.cell] += isFixed ? 0 : wa;
             fields.passing[o.cell] += covers ? w : wa;
-            fields.passingG[o.cell] += (covers ? w : wa)*t.free;
+            fields.passingG[o.cell] += covers ? w*own : flux;
             if (!covers)
             {
                 fields.bBeside[o.cell] += wag*t.free - w*e;

@@ -112,6 +112,12 @@ void Foam::unresolvedHeat::add
         exchange.unresolved().undisturbed().all(grains_.size())
     );
 
+    flowAtOverlaps at;
+    at.set
+    (
+        grains_, resolved, exchange.unresolved().undisturbed().cellSize(), U
+    );
+
     heatLaw::range used{1, 0};
     scalarField coefficient(V.size(), Zero);
     conductance_ = scalarField(overlaps.size(), Zero);
@@ -127,7 +133,8 @@ void Foam::unresolvedHeat::add
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            const scalar slip = mag(U[o.cell] - motion.at(o.arm));
+            const scalar slip =
+                mag(U[o.cell] + at.velocity(o) - motion.at(o.arm));
             used.leastEps = min(used.leastEps, eps[o.cell]);
             used.mostRe = max
             (

@@ -33,6 +33,7 @@ Description
 #include "sigFpe.H"
 #include "twoFluidControls.H"
 #include "vansFlow.H"
+#include "waveInlets.H"
 #include "writtenStates.H"
 
 int main(int argc, char *argv[])

@@ -9,7 +9,7 @@
 
 Foam::scalar Foam::flowAtOverlaps::share(const scalar dOverH)
 {
-    return 1 - min(max(2*(std::log2(dOverH) + 1), scalar(0)), scalar(1));
+    return min(max(-1 - std::log2(dOverH), scalar(0)), scalar(1));
 }
 
 

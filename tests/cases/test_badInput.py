@@ -101,6 +101,16 @@ heater
 """
 
 
+# The weight of the fluid once more
+WEIGHT = """FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }
+weight { type buoyancyForce; buoyancyForceCoeffs { fields (U); selectionMode all; } }
+"""
+
+
+def weight(case):
+    (case.path / "system/fvOptions").write_text(WEIGHT)
+
+
 def other_source(case):
     (case.path / "system/fvOptions").write_text(OTHER_SOURCE)
 
@@ -557,6 +567,11 @@ TABLE = [
         "sourceOfAnother",
         other_source,
         ["system/fvOptions", "'heater'", "sources and constraints of U"],
+    ),
+    (
+        "weightTwice",
+        weight,
+        ["system/fvOptions", "'weight'", "buoyancyForce", "constant/g"],
     ),
     (
         "porosityWithoutModel",

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The option -postProcess of the solvers: function objects at times on disk."""
 
+import re
+
 import numpy as np
 import pytest
 from droplet_box import BOILING, GAS, make_gas, open_top, with_droplets
@@ -83,6 +85,39 @@ def test_every_solver_has_it(clone, solver):
     speed = np.linalg.norm(case.field("U"), axis=1)
     np.testing.assert_allclose(case.field("mag(U)"), speed, rtol=1e-9, atol=1e-15)
     assert not (case.path / "grains.lock").exists()
+
+
+@pytest.mark.parametrize("solver", CASES)
+def test_every_solver_has_the_shear_of_walls(clone, solver):
+    """Along a wall the viscosity of one of its fluids times the slope from there to the cells."""
+    case = CASES[solver](clone)
+    control(case, endTime=2e-3, deltaT=1e-3, writeInterval=1)
+    case.run(solver)
+    case.run(f"{solver} -postProcess -func wallShearStress -latestTime")
+    (file,) = (case.path / "postProcessing/wallShearStress").glob("*/wallShearStress.dat")
+    (line,) = [line for line in file.read_text().splitlines() if "left" in line]
+    shear = [float(part.split()[1]) for part in line.replace(")", "(").split("(")[1::2]]
+    rate = -case.field("U")[::10, 1] / 0.005
+    text = (case.path / "constant/transportProperties").read_text()
+    nu = [float(value) for value in re.findall(r"\bnu\s+(?:\[.*?\])?\s*([-\d.e]+);", text)]
+    assert nu
+    # The gradient along the wall, which is that of the cells, takes part
+    beside = 0.2 * max(nu) * np.ptp(rate)
+    for stress, slope in zip(shear, (rate.min(), rate.max()), strict=True):
+        least, most = sorted((min(nu) * slope, max(nu) * slope))
+        assert least - beside <= stress <= most + beside
+    assert max(map(abs, shear)) > 2 * beside
+
+
+def test_programs_of_openfoam_read_a_time_with_grains_without_a_word(clone):
+    """State of the grains included, in which they look for their header."""
+    case = grain_box(clone, CENTRES)
+    control(case, endTime=2e-4, deltaT=1e-4, writeInterval=1)
+    case.run("grainFoam")
+    case.run("foamToVTK -latestTime")
+    assert "Warning" not in case.log
+    case.run("postProcess -func mag(U) -latestTime -noZero")
+    assert "grains.h5" not in case.log
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import pytest
 from grain_box import control, cyclic_box, ledger, replace, tracks
 from heat_box import fix_grains
 from moving_mesh import write
+from test_badInput import POROSITY, ZONE
 from test_cutCells import choose, with_cells
 
 GRAINS = "constant/grainProperties"
@@ -69,3 +70,24 @@ def test_a_bed_that_is_held_takes_all_of_the_source(clone, kind):
     # Locked cells of a held grain yield by 1e-4
     assert book["given_x"][-1] / 0.02 == pytest.approx(whole, rel=3e-4)
     assert tracks(case)[-1, 11] == pytest.approx(whole, rel=3e-4)
+
+
+@pytest.mark.parametrize("name", ["plug", "p", "eps"])
+def test_a_porosity_may_have_any_name(clone, name):
+    """Fluid that a force drives through it, from rest, in steps of OpenFOAM's porosity: it has the
+    trace of its tensor, three times the drag here, implicit, and what that is too much explicit."""
+    case = cyclic_box(clone, [], 0.004)
+    darcy = POROSITY[POROSITY.index("plug") :].replace("plug", name, 1)
+    write(case, "system/fvOptions", "dictionary", SOURCE + darcy)
+    write(case, "system/topoSetDict", "dictionary", ZONE)
+    case.run("topoSet")
+    replace(case, FLUID, "1e-4;", "1e-4;\ntransportModel Newtonian;")
+    delta_t, steps = 0.02, 5
+    drag = 1e-4 * 1e5 * delta_t
+    control(case, deltaT=delta_t, endTime=delta_t * steps, writeInterval=steps)
+    case.run("grainFoam")
+    u = 0
+    for _ in range(steps):
+        u = ((1 + 2 * drag) * u + delta_t * FORCE / RHO) / (1 + 3 * drag)
+    # What the linear solvers leave
+    np.testing.assert_allclose(case.field("U")[:, 0], u, rtol=1e-8)

@@ -3,6 +3,7 @@
 
 #include "nscd/io/Hdf5.hpp"
 
+#include <fstream>
 #include <stdexcept>
 
 namespace nscd
@@ -14,6 +15,10 @@ namespace
 /// Files are closed here.  One that could not be written, as on a full disc, is still open to HDF5, whose own attempt
 /// to close it when the program ends would crash.
 const herr_t closesNothingAtExit = H5dont_atexit();
+
+/// Programs of OpenFOAM look for its header in each file of a time directory, and warn of each that has none.
+const char headerText[] = "FoamFile { version 2.0; format binary; class hdf5; object state; }\n";
+constexpr hsize_t headerSize = 512;   // the least that HDF5 knows
 
 template <class T>
 hid_t nativeType();
@@ -45,7 +50,23 @@ hid_t openFile(const std::string& name, Hdf5File::Mode mode)
     case Hdf5File::Mode::modify:
         return H5Fopen(name.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     default:
-        return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+        const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+        H5Pset_userblock(properties, headerSize);
+        return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT);
+    }
+}
+
+/// In front of what HDF5 has of the file.
+void writeHeader(const std::string& name)
+{
+    std::string header(headerText);
+    header.resize(headerSize, '\n');
+    std::fstream file(name, std::ios::in | std::ios::out | std::ios::binary);
+    file.write(header.data(), static_cast<std::streamsize>(header.size()));
+    file.close();
+    if (!file)
+    {
+        throw std::runtime_error(name + ": cannot be written");
     }
 }
 
@@ -94,7 +115,7 @@ Hdf5File::Quiet::~Quiet()
 }
 
 Hdf5File::Hdf5File(const std::string& name, Mode mode)
-    : name_(name), file_(openFile(name, mode), H5Fclose)
+    : name_(name), isNew_(mode == Mode::create), file_(openFile(name, mode), H5Fclose)
 {
     check(file_, mode == Mode::create ? "cannot be created" : "cannot be opened");
 }
@@ -112,6 +133,10 @@ void Hdf5File::close()
 {
     check(H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot be written");
     check(file_.close() ? 0 : -1, "cannot be closed");
+    if (isNew_)
+    {
+        writeHeader(name_);
+    }
 }
 
 template <class T>

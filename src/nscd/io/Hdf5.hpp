@@ -98,6 +98,7 @@ private:
     };
 
     std::string name_;
+    bool isNew_;
     Quiet quiet_;
     Hdf5Handle file_;
 };

@@ -48,6 +48,21 @@ void requireViscosity(const fv::options& options, const fv::option& source)
 }
 
 
+//- Fatal if it is the weight of the fluid, which p_rgh leaves out and p has: grains would float
+//  with twice their buoyancy
+void refuseWeight(const fv::options& options, const fv::option& source)
+{
+    if (source.type() == "buoyancyForce")
+    {
+        FatalIOErrorInFunction(options)
+            << "Entry '" << source.name().c_str() << "' has the type buoyancyForce: the"
+            << " weight of the fluid is in its equations without it" << nl
+            << "    allowed: other sources of momentum; gravity in constant/g"
+            << exit(FatalIOError);
+    }
+}
+
+
 //- Fatal if one of them acts on no velocity
 void requireSourcesOf(const volVectorField& U, const fv::options& options)
 {
@@ -64,6 +79,7 @@ void requireSourcesOf(const volVectorField& U, const fv::options& options)
         }
         if (source.active())
         {
+            refuseWeight(options, source);
             requireViscosity(options, source);
         }
     }
@@ -108,7 +124,7 @@ Foam::vansFlow::vansFlow
     viscosity_(viscosity),
     grains_(grains),
     resolved_(resolved),
-    options_(optionsOf(fields.U)),
+    laminar_(registeredLaminar::New(fluid, fields.U, fields.phiU)),
     control_(control),
     g_(g),
     gh_(heightTimesGravity()),
@@ -124,6 +140,7 @@ Foam::vansFlow::vansFlow
         ),
         fields.p_rgh + fluid.rhoWeight()*gh_()
     ),
+    options_(optionsOf(fields.U)),
     pRefCell_(0),
     pRefValue_(0),
     areFluxesOfU_(!fields.areOfStep),

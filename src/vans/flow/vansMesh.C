@@ -139,6 +139,10 @@ void Foam::vansFlow::remakeFlux
 void Foam::vansFlow::meshChanged()
 {
     gh_.reset(heightTimesGravity());
+    if (laminar_)
+    {
+        laminar_->correct();
+    }
     keepMomentum();
     fields_.U.correctBoundaryConditions();
 

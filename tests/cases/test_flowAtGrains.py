@@ -12,7 +12,7 @@ WALLS = '"left|right|bottom|top"'
 
 @pytest.mark.parametrize("grading", ["1", "4"])
 def test_discs_in_a_shear_flow_have_the_speed_of_its_lines(clone, grading):
-    """Discs of 0.02 to 0.1 of a cell and of the fluid's density, between a plate at rest and one
+    """Discs of 0.04 to 0.17 of a cell and of the fluid's density, between a plate at rest and one
     that slides.  With the velocity of the cells all discs of a cell had one speed, and beside
     the plate five times that of the fluid there."""
     heights = np.array([0.001, 0.004, 0.009, 0.031, 0.033, 0.035, 0.037, 0.039, 0.052, 0.0985])

@@ -30,6 +30,11 @@ def turbulent(case):
     )
 
 
+def waves(case):
+    swap("0/U", '"left|', 'left { type waveVelocity; value uniform (0 0 0); } "')(case)
+    swap("system/controlDict", "functions", 'libs ("libwaveModels.so");\nfunctions')(case)
+
+
 def refined(case):
     write(case, "constant/dynamicMeshDict", "dictionary", REFINEMENT)
 
@@ -145,6 +150,7 @@ INPUTS = {
         refined,
         ["constant/dynamicMeshDict", "'dynamicFvMesh'", "value dynamicRefineFvMesh", "gmsh"],
     ),
+    "waves with gravity along -y": (waves, ["0/U", "waveVelocity", "'left'", "(0 0 -1)"]),
     "turbulence": (turbulent, ["turbulenceProperties", "laminar"]),
     "another void fraction": (
         swap("constant/grainProperties", "type    exactOverlap", "type    centroid"),

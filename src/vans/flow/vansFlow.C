@@ -12,6 +12,7 @@
 #include "findRefCell.H"
 #include "fvc.H"
 #include "referenceHeight.H"
+#include "registeredLaminar.H"
 #include "timeScheme.H"
 #include "writeForALook.H"
 
@@ -158,6 +159,9 @@ Foam::vansFlow::vansFlow
     setRefCell(p_, fields.p_rgh, control, pRefCell_, pRefValue_);
     mesh_.setFluxRequired(fields.p_rgh.name());
 }
+
+
+Foam::vansFlow::~vansFlow() = default;
 
 
 Foam::volScalarField* Foam::vansFlow::heightTimesGravity() const

@@ -7,6 +7,7 @@
 
 #include "findRefCell.H"
 #include "fvc.H"
+#include "registeredLaminar.H"
 
 namespace
 {

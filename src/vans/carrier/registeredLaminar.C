@@ -34,13 +34,16 @@ IOdictionary turbulenceProperties(const fvMesh& mesh)
 }
 
 
-//- Name of a file in constant that OpenFOAM's base class can read
+//- Name of a file in constant that OpenFOAM's base class can read, empty if there is
+//  none
 word fileOf(const fvMesh& mesh)
 {
-    return
-        turbulenceProperties(mesh).empty()
-      ? word("transportProperties")
-      : turbulenceModel::propertiesName;
+    if (!turbulenceProperties(mesh).empty())
+    {
+        return turbulenceModel::propertiesName;
+    }
+    IOobject io("transportProperties", mesh.time().constant(), mesh);
+    return io.typeHeaderOk<IOdictionary>(true) ? io.name() : word::null;
 }
 
 }
@@ -78,7 +81,8 @@ Foam::autoPtr<Foam::registeredLaminar> Foam::registeredLaminar::New
 {
     return autoPtr<registeredLaminar>
     (
-        turbulenceProperties(U.mesh()).getOrDefault<word>
+        fileOf(U.mesh()).size()
+     && turbulenceProperties(U.mesh()).getOrDefault<word>
         (
             "simulationType", "laminar"
         ) == "laminar"

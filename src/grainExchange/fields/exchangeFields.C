@@ -83,6 +83,7 @@ Foam::exchangeFields::exchangeFields
     b(zeroField<vector>(mesh, "b", dimForce/dimVolume)),
     G(zeroField<vector>(mesh, "G", dimVelocity)),
     K(zeroField<scalar>(mesh, "K", dimTime/dimDensity)),
+    gained(zeroField<vector>(mesh, "gained", dimVelocity)),
     mobile(zeroField<scalar>(mesh, "mobile", dimless)),
     passing(zeroField<scalar>(mesh, "passing", dimless)),
     passingG(zeroField<vector>(mesh, "passingG", dimVelocity)),
@@ -104,6 +105,7 @@ void Foam::exchangeFields::clear()
     b = dimensionedVector(b.dimensions(), Zero);
     G = dimensionedVector(G.dimensions(), Zero);
     K = dimensionedScalar(K.dimensions(), Zero);
+    gained = dimensionedVector(gained.dimensions(), Zero);
     mobile = dimensionedScalar(mobile.dimensions(), Zero);
     passing = dimensionedScalar(passing.dimensions(), Zero);
     passingG = dimensionedVector(passingG.dimensions(), Zero);
@@ -123,6 +125,10 @@ void Foam::exchangeFields::smooth(const voidFractionMethod& method)
     method.smooth(b.primitiveFieldRef());
     method.smooth(G.primitiveFieldRef());
     method.smooth(K.primitiveFieldRef());
+    if (gained.mesh().moving())
+    {
+        method.smooth(gained.primitiveFieldRef());
+    }
     method.smooth(mobile.primitiveFieldRef());
 }
 

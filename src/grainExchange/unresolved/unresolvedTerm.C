@@ -275,6 +275,10 @@ void Foam::unresolvedTerm::predict
             fields.b[o.cell] += wag*t.free - w*e;
             const vector flux(wa*own + w*(1 - t.a)*faster);
             fields.G[o.cell] += flux;
+            if (grains_.mesh().moving())
+            {
+                fields.gained[o.cell] += wa*(own - motion.at(o.arm));
+            }
             fields.mobile[o.cell] += isFixed ? 0 : wa;
             fields.passing[o.cell] += covers ? w : wa;
             fields.passingG[o.cell] += covers ? w*own : flux;

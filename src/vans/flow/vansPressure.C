@@ -203,7 +203,6 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
 {
     const scalar deltaT = mesh_.time().deltaTValue();
     const surfaceScalarField& before = fields_.phiMomentum.oldTime();
-    const scalar now = weights_.before - weights_.earlier;
     forAll(mesh_.boundary(), patchi)
     {
         if (!accelerates(patchi))
@@ -234,12 +233,13 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
         {
             return scalarField(x.boundaryField()[patchi].patchInternalField());
         };
+        change -= patch.Sf() & grains_.gained.boundaryField()[patchi].patchInternalField()();
         const scalarField inertia(inCells(step_->inertia)/deltaT);
         gradient.boundaryFieldRef()[patchi] -=
             inertia
            /(
                 inCells(step_->alpha)*inCells(step_->share)
-              + inCells(grains_.K)*(now*inertia + inCells(grains_.beta))
+              + inCells(grains_.K)*(inertia + inCells(grains_.beta))
             )
            *change;
     }

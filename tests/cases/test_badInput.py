@@ -564,6 +564,16 @@ TABLE = [
         [CONTROL, "functions.steps", "'type'", "setTimeStep", "maxDeltaT"],
     ),
     (
+        "cloudInfoOfGrains",
+        swap(
+            CONTROL,
+            "functions\n{",
+            "functions\n{ info { type cloudInfo; clouds (grains);"
+            ' libs ("liblagrangianFunctionObjects.so"); }',
+        ),
+        [CONTROL, "functions.info", "'type'", "cloudInfo", "postProcessing/ledger"],
+    ),
+    (
         "sourceOfAnother",
         other_source,
         ["system/fvOptions", "'heater'", "sources and constraints of U"],

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The fixture `clone` and the pictures that tutorials make."""
 
+from time import perf_counter
+
 import grainplot
 import h5py
 import numpy as np
@@ -63,6 +65,18 @@ def test_uniform_and_written_fields_have_a_value_per_cell(box):
     x = box.field("C")[:, 0]
     assert x.shape == (32,)
     assert x.mean() == pytest.approx(1)
+
+
+def test_tables_of_conditions_do_not_slow_reading_down(box):
+    """foamlib takes 100 s for one of 250 vectors."""
+    path = box.path / "0/T"
+    table = " ".join(f"({i} ({i} 0 0))" for i in range(1000))
+    text = path.read_text()
+    condition = f"boundaryField\n{{\n    inlet {{ uniformValue table ({table}); }}"
+    path.write_text(text.replace("boundaryField\n{", condition))
+    start = perf_counter()
+    assert np.array_equal(box.field("T"), np.full(32, 300.0))
+    assert perf_counter() - start < 5
 
 
 def test_grains_come_sorted_by_id(box):

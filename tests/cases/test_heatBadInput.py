@@ -53,6 +53,14 @@ PLATES = "HeleShaw { gap 0.01; heatTransfer %s; %s }"
 
 # name, how the good case is spoilt, what the message holds
 TABLE = [
+    *(
+        (
+            name,
+            swap("system/controlDict", "functions\n{", f"functions\n{{ out {{ type {name}; }}"),
+            ["functions.out", "'type'", name, "postProcessing/heatLedger"],
+        )
+        for name in ("wallHeatFlux", "heatTransferCoeff")
+    ),
     # Temperature of the fluid
     ("noT", remove(T), ["0/T"]),
     ("dimensionsOfT", swap(T, "[0 0 0 1", "[0 0 1 0"), ["T", "[0 0 1 0 0 0 0]", "[0 0 0 1 0 0 0]"]),

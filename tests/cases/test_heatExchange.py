@@ -50,6 +50,20 @@ def test_closed_box_keeps_its_heat(clone):
     assert book["grainHeat"][-1] < book["grainHeat"][0]
 
 
+def test_solverInfo_has_the_residuals_of_heat(clone):
+    """Of fluid and grains together, as the log."""
+    case = with_heat(grain_box(clone, [(0.05, 0.05)]))
+    control(case, endTime=2e-3, writeInterval=2)
+    info = 'info { type solverInfo; libs ("libutilityFunctionObjects.so"); fields (T); }'
+    replace(case, "system/controlDict", "functions\n{", f"functions\n{{\n    {info}\n")
+    case.run("grainThermalFoam")
+    lines = (case.path / "postProcessing/info/0/solverInfo.dat").read_text().splitlines()
+    residuals = [float(line.split()[2]) for line in lines[2:]]
+    found = case.logged("cellsAndBodies:  Solving for T, Initial residual = ")
+    assert len(found) == 2
+    np.testing.assert_allclose(residuals, found, rtol=1e-10)
+
+
 def test_one_temperature_stays(clone):
     case = settling(clone, T=350, grains=350)
     case.run("grainThermalFoam")

@@ -6,7 +6,6 @@
 #include "requireTimeStep.H"
 
 #include "dictionaryInput.H"
-#include "enabledFunctions.H"
 #include "Time.H"
 
 void Foam::requireTimeStep(const Time& runTime)
@@ -18,18 +17,5 @@ void Foam::requireTimeStep(const Time& runTime)
             runTime.controlDict(), "deltaT", name(runTime.deltaTValue()),
             "a value > 0"
         );
-    }
-
-    for (const dictionary* dict : enabledFunctions(runTime))
-    {
-        if (dict->getOrDefault<word>("type", "") == "setTimeStep")
-        {
-            dictionaryInput::badValue
-            (
-                *dict, "type", "setTimeStep",
-                "function objects that leave steps to the solver, which has"
-                " maxDeltaT of controlDict and its other limits"
-            );
-        }
     }
 }

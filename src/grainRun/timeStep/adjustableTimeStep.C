@@ -7,6 +7,7 @@
 
 #include "dictionaryInput.H"
 #include "fvcSurfaceIntegrate.H"
+#include "refuseFunctions.H"
 #include "requireTimeStep.H"
 #include "writeForALook.H"
 
@@ -62,6 +63,7 @@ Foam::adjustableTimeStep::adjustableTimeStep
     weight_(grains, fluid)
 {
     requireTimeStep(runTime);
+    refuseFunctions(runTime);
     limits checked(runTime.controlDict());
 }
 

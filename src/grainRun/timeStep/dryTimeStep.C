@@ -6,6 +6,7 @@
 #include "dryTimeStep.H"
 
 #include "adjustableTimeStep.H"
+#include "refuseFunctions.H"
 #include "requireTimeStep.H"
 
 Foam::dryTimeStep::dryTimeStep
@@ -21,6 +22,7 @@ Foam::dryTimeStep::dryTimeStep
     acceleration_(mag(g))
 {
     requireTimeStep(runTime);
+    refuseFunctions(runTime);
     adjustableTimeStep::limits checked(runTime.controlDict());
 }
 

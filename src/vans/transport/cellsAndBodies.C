@@ -324,6 +324,7 @@ Foam::solverPerformance Foam::cellsAndBodies::solve(const dictionary& controls)
     {
         done.print(Info.masterStream(psi.mesh().comm()));
     }
+    psi.mesh().setSolverPerformance(psi.name(), done);
 
     // Bodies that exchange nothing among themselves are then exact
     x.bodies += residual(x).bodies/weight_/diagonal_;

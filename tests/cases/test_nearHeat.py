@@ -241,6 +241,31 @@ def test_fluid_and_near_grains_keep_their_heat(clone):
     assert book["mostGrainT"][-1] - book["leastGrainT"][-1] < 50
 
 
+def test_ledger_has_the_heat_of_each_wall(clone):
+    """Steady, through a disc in a corner, as far from a hot floor as from a cold side."""
+    height, step = 1.03 * RADIUS, 1e4
+    case = grain_box(clone, [(height, height)], RADIUS)
+    fix_grains(case)
+    gas = f"throughFluid {{ type cylinders; conductivity {K}; }}"
+    # Fluid that all but insulates
+    with_heat(case, 300, 325, heat=f"conductance none; {gas}", fluid="Cp 1e-3; kappa 1e-12;")
+    walls = "".join(
+        f"    {name} {{ type patches; patches ({patch}); material steel; temperature {T}; }}\n"
+        for name, patch, T in (("floor", "bottom", 350), ("side", "left", 300))
+    )
+    replace(case, GRAINS, "(left right bottom top)", "(right top)")
+    replace(case, GRAINS, "walls\n{\n", f"walls\n{{\n{walls}")
+    control(case, deltaT=step, endTime=10 * step, writeInterval=10)
+    case.run("grainThermalFoam")
+    book = heat_ledger(case)
+    passes = 0.5 * through_fluid(2, height, np.inf) * 50 * step
+    assert book["heatFrom_floor"][-1] == pytest.approx(passes, rel=1e-6)
+    assert book["heatFrom_side"][-1] == pytest.approx(-passes, rel=1e-6)
+    np.testing.assert_allclose(
+        book["walls"], book["heatFrom_floor"] + book["heatFrom_side"], atol=1e-12 * passes
+    )
+
+
 @pytest.mark.parametrize("reach", [3, 5])
 def test_box_narrower_than_the_range_is_one_of_many(clone, reach):
     """Discs that see several images of each other, and their own, as in a box of three periods."""

@@ -129,8 +129,13 @@ void Foam::heatLedger::write()
             names += "convected_" + boundary[patchi].name() + c;
             names += "conducted_" + boundary[patchi].name() + c;
         }
+        names += "plates,walls,";
+        for (const word& wall : grainT.heatedWalls())
+        {
+            names += "heatFrom_" + wall + c;
+        }
         names +=
-            "plates,walls,injected,removed,filled,fluidError,grainError,"
+            "injected,removed,filled,fluidError,grainError,"
             "leastT,mostT,leastGrainT,mostGrainT,meanGrainT";
         file_ = progress_.newFile("heatLedger", "heatLedger.csv", names.c_str());
         file_().precision(16);
@@ -146,7 +151,12 @@ void Foam::heatLedger::write()
             << c << heat_.conductedOut(patchi, fluid_);
     }
     file_()
-        << c << heat_.fromPlates() << c << wallHeat()
+        << c << heat_.fromPlates() << c << wallHeat();
+    for (const scalar heat : grainT.wallHeat())
+    {
+        file_() << c << heat;
+    }
+    file_()
         << c << grains_.motion().injected().heat
         << c << grains_.motion().removed().heat
         << c << heat_.broughtIn(fluid_) << c << fluidError_ << c << grainError_

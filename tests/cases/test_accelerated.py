@@ -14,7 +14,7 @@ GRAINS = "constant/grainProperties"
 
 
 def layer(clone, nu, delta_t, steps, fixed):
-    """Discs of a fifth of a cell, half of the volume of rows 4 to 6 of 10, in a stream that starts."""
+    """Discs of a fifth of a cell, half of rows 4 to 6 of 10, in a stream that starts."""
     case = grain_box(clone, lattice(40, 12, 0.0025, (0.00125, 0.04125)), 0.001)
     open_ends(case, 0.0)
     table = f"uniformValue table ((0 (0 0 0)) (1 (0 {ACCELERATION} 0)))"

@@ -4,6 +4,7 @@
 
 import numpy as np
 import pytest
+from foamlib import FoamFieldFile
 from grain_box import control, cyclic_box, grain_box, lattice, ledger, replace
 from test_flowAndGrains import WALLS
 from test_fluidClosures import channel
@@ -120,3 +121,19 @@ def test_slip_without_a_pressure_gradient_shows_what_form_b_leaves_out(clone, fo
     difference = case.field("U")[:, 1].mean() - case.grains()["velocity"][:, 1].mean()
     assert difference == pytest.approx(slip * (1 + rate * delta_t) ** -steps, rel=1e-6)
     assert ledger(case)["momentumError"].max() <= 1e-10
+
+
+def test_floor_and_lid_carry_a_suspension_that_settles(clone):
+    """p at patches has what drag adds from the cell to the wall: half a cell's at either end."""
+    radius, number = 0.004, 10
+    case = grain_box(clone, lattice(number, number, 0.01, (0.005, 0.005)), radius)
+    replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{\n    undisturbedFlow { type none; }")
+    replace(case, "0/U", "noSlip", "slip")
+    replace(case, FLUID, "1e-4", "0.1")
+    control(case, deltaT=1e-4, endTime=0.01, writeInterval=100)
+    case.run("grainFoam")
+    p = FoamFieldFile(case.path / case.times[-1] / "p").boundary_field
+    carried = np.mean(p["bottom"].value) - np.mean(p["top"].value)
+    solid = number**2 * np.pi * radius**2 / 0.1**2
+    weight = (RHO + solid * (RHO_GRAIN - RHO)) * G * 0.1
+    assert carried == pytest.approx(weight, rel=1e-3)

@@ -11,6 +11,7 @@
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "reconstruction.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -264,6 +265,38 @@ void Foam::vansFlow::setPressure()
 
         // As a restart will find them, not to round-off
         p_rgh.correctBoundaryConditions();
+    }
+    addDragAtPatches();
+}
+
+
+void Foam::vansFlow::addDragAtPatches()
+{
+    if (gMax(grains_.beta.primitiveField()) == 0 || resolved_.isActive())
+    {
+        return;
+    }
+    const volVectorField drag
+    (
+        "drag",
+        step_->bByShare - step_->betaByShare*reconstructed(fields_.phi)
+    );
+    forAll(p_.boundaryField(), patchi)
+    {
+        fvPatchScalarField& p = p_.boundaryFieldRef()[patchi];
+        if
+        (
+            !p.coupled() && !grains_.freePatches.found(patchi)
+         && !fields_.p_rgh.boundaryField()[patchi].fixesValue()
+        )
+        {
+            p ==
+                p
+              + (
+                    drag.boundaryField()[patchi].patchInternalField()
+                  & p.patch().delta()
+                );
+        }
     }
 }
 

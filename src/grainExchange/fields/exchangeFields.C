@@ -125,7 +125,10 @@ void Foam::exchangeFields::smooth(const voidFractionMethod& method)
     method.smooth(b.primitiveFieldRef());
     method.smooth(G.primitiveFieldRef());
     method.smooth(K.primitiveFieldRef());
-    method.smooth(gained.primitiveFieldRef());
+    if (gained.mesh().moving())
+    {
+        method.smooth(gained.primitiveFieldRef());
+    }
     method.smooth(mobile.primitiveFieldRef());
 }
 
@@ -137,7 +140,6 @@ void Foam::exchangeFields::correctBoundaryConditions()
     correctPatches(b, freePatches);
     correctPatches(G, freePatches);
     correctPatches(K, freePatches);
-    correctPatches(gained, freePatches);
     correctPatches(mobile, freePatches);
     correctPatches(passing, freePatches);
     correctPatches(passingG, freePatches);

@@ -188,7 +188,6 @@ void Foam::unresolvedTerm::predict
     at_.set(grains_, resolved, undisturbed_.cellSize(), U);
     setKnownForce(U);
     undisturbed_.set(grains_, resolved, fluid_, cellEps, U, at_, *drag_);
-    fields.areSmall = undisturbed_.areSmall(grains_, resolved);
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -276,8 +275,10 @@ void Foam::unresolvedTerm::predict
             fields.b[o.cell] += wag*t.free - w*e;
             const vector flux(wa*own + w*(1 - t.a)*faster);
             fields.G[o.cell] += flux;
-            fields.gained[o.cell] +=
-                flux + w*((1 - t.a)*U[o.cell] - motion.at(o.arm));
+            if (grains_.mesh().moving())
+            {
+                fields.gained[o.cell] += wa*(own - motion.at(o.arm));
+            }
             fields.mobile[o.cell] += isFixed ? 0 : wa;
             fields.passing[o.cell] += covers ? w : wa;
             fields.passingG[o.cell] += covers ? w*own : flux;

@@ -234,9 +234,7 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
         {
             return scalarField(x.boundaryField()[patchi].patchInternalField());
         };
-        change -=
-            patch.Sf()
-          & grains_.gained.boundaryField()[patchi].patchInternalField()();
+        change -= patch.Sf() & grains_.gained.boundaryField()[patchi].patchInternalField()();
         const scalarField inertia(inCells(step_->inertia)/deltaT);
         gradient.boundaryFieldRef()[patchi] -=
             inertia

@@ -125,10 +125,7 @@ void Foam::exchangeFields::smooth(const voidFractionMethod& method)
     method.smooth(b.primitiveFieldRef());
     method.smooth(G.primitiveFieldRef());
     method.smooth(K.primitiveFieldRef());
-    if (gained.mesh().moving())
-    {
-        method.smooth(gained.primitiveFieldRef());
-    }
+    method.smooth(gained.primitiveFieldRef());
     method.smooth(mobile.primitiveFieldRef());
 }
 
@@ -140,6 +137,7 @@ void Foam::exchangeFields::correctBoundaryConditions()
     correctPatches(b, freePatches);
     correctPatches(G, freePatches);
     correctPatches(K, freePatches);
+    correctPatches(gained, freePatches);
     correctPatches(mobile, freePatches);
     correctPatches(passing, freePatches);
     correctPatches(passingG, freePatches);

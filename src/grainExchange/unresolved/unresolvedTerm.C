@@ -188,6 +188,7 @@ void Foam::unresolvedTerm::predict
     at_.set(grains_, resolved, undisturbed_.cellSize(), U);
     setKnownForce(U);
     undisturbed_.set(grains_, resolved, fluid_, cellEps, U, at_, *drag_);
+    fields.areSmall = undisturbed_.areSmall(grains_, resolved);
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {
@@ -197,6 +198,11 @@ void Foam::unresolvedTerm::predict
         }
         const scalar rhop = grains_.motion().density(graini);
         const grainMotion::twist motion(grains_.motion().motion(graini));
+        const grainMotion::twist unexpected(grains_.motion().unexpectedChange(graini));
+        const grainMotion::twist known
+        {
+            motion.velocity - unexpected.velocity, motion.spin - unexpected.spin
+        };
         const bool covers = undisturbed_.of(graini).covers;
         const grainMotion::twist free
         (
@@ -275,10 +281,8 @@ void Foam::unresolvedTerm::predict
             fields.b[o.cell] += wag*t.free - w*e;
             const vector flux(wa*own + w*(1 - t.a)*faster);
             fields.G[o.cell] += flux;
-            if (grains_.mesh().moving())
-            {
-                fields.gained[o.cell] += wa*(own - motion.at(o.arm));
-            }
+            fields.gained[o.cell] +=
+                flux + w*((1 - t.a)*U[o.cell] - known.at(o.arm));
             fields.mobile[o.cell] += isFixed ? 0 : wa;
             fields.passing[o.cell] += covers ? w : wa;
             fields.passingG[o.cell] += covers ? w*own : flux;

@@ -89,6 +89,29 @@ Foam::grainBodies Foam::grainDynamics<D>::bodies() const
 
 
 template<int D>
+Foam::grainMotion::twist Foam::grainDynamics<D>::changeBy
+(
+    const nscd::Wrenches<D>& given,
+    const label graini,
+    const scalar time
+) const
+{
+    const nscd::Spin<D> spin
+    (
+        nscd::spinOf<D>
+        (
+            grains(), graini, grains().orientation[graini], given.torque[graini]
+        )
+    );
+    return
+    {
+        time*space().toSpace(given.force[graini])/grains().mass[graini],
+        time*space().spinInSpace(spin)
+    };
+}
+
+
+template<int D>
 Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
 (
     const label graini,
@@ -99,26 +122,25 @@ Foam::grainMotion::twist Foam::grainDynamics<D>::contactChange
     {
         return {Zero, Zero};
     }
-
-    const auto change = [&](const nscd::Wrenches<D>& given, const scalar time)
-    {
-        const nscd::Spin<D> spin
-        (
-            nscd::spinOf<D>
-            (
-                grains(), graini, grains().orientation[graini],
-                given.torque[graini]
-            )
-        );
-        return grainMotion::twist
-        {
-            time*space().toSpace(given.force[graini])/grains().mass[graini],
-            time*space().spinInSpace(spin)
-        };
-    };
-    const grainMotion::twist lasting(change(dynamics().lasting(), deltaT));
-    const grainMotion::twist owed(change(dynamics().owed(), 1));
+    const grainMotion::twist lasting(changeBy(dynamics().lasting(), graini, deltaT));
+    const grainMotion::twist owed(changeBy(dynamics().owed(), graini, 1));
     return {lasting.velocity + owed.velocity, lasting.spin + owed.spin};
+}
+
+
+template<int D>
+Foam::grainMotion::twist Foam::grainDynamics<D>::unexpectedChange
+(
+    const label graini
+) const
+{
+    if (isFixed())
+    {
+        return {Zero, Zero};
+    }
+    const grainMotion::twist all(changeBy(dynamics().unexpected(), graini, 1));
+    const grainMotion::twist owed(changeBy(dynamics().owed(), graini, 1));
+    return {all.velocity - owed.velocity, all.spin - owed.spin};
 }
 
 

@@ -41,7 +41,7 @@ void ContactDynamics<D>::Implementation::replace(Grains<D> all)
     contactImpulse_.resize(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.resize(grains_.size(), Spin<D>::Zero());
     heaviness_.resize(grains_.size(), 1);
-    for (Wrenches<D>* known : {&owed_, &lasting_, &earlier_})
+    for (Wrenches<D>* known : {&unexpected_, &owed_, &lasting_, &earlier_})
     {
         known->force.resize(grains_.size(), Vector<D>::Zero());
         known->torque.resize(grains_.size(), Spin<D>::Zero());

@@ -127,6 +127,12 @@ const Wrenches<D>& ContactDynamics<D>::lasting() const
 }
 
 template <int D>
+const Wrenches<D>& ContactDynamics<D>::unexpected() const
+{
+    return implementation_->unexpected();
+}
+
+template <int D>
 const Wrenches<D>& ContactDynamics<D>::owed() const
 {
     return implementation_->owed();

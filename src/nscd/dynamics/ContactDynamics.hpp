@@ -180,8 +180,11 @@ public:
     /// steps before, too: what holds it, without bounces and landings.
     const Wrenches<D>& lasting() const;
 
-    /// Of the impulse and angular impulse of contacts in the last step, without the lasting force and torque of before,
-    /// the part of what moves with each grain [N s, N m s].  The grain gets it in the next step.
+    /// Impulse and angular impulse of contacts in the last step without the lasting force and torque of before [N s,
+    /// N m s]; zero before the first.
+    const Wrenches<D>& unexpected() const;
+
+    /// Of what was unexpected the part of what moves with each grain [N s, N m s].  The grain gets it in the next step.
     const Wrenches<D>& owed() const;
 
     /// Length of the last step [s]; 0 before the first.

@@ -29,7 +29,7 @@ ContactDynamics<D>::Implementation::Implementation(Grains<D> grains, Walls<D> wa
     validate<D>(settings_, walls_);
     contactImpulse_.assign(grains_.size(), Vector<D>::Zero());
     contactSpinImpulse_.assign(grains_.size(), Spin<D>::Zero());
-    lasting_ = earlier_ = owed_ = {contactImpulse_, contactSpinImpulse_};
+    lasting_ = earlier_ = unexpected_ = owed_ = {contactImpulse_, contactSpinImpulse_};
     heaviness_.assign(grains_.size(), 1);
     measureGrains();
     measureWalls();

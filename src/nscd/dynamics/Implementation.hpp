@@ -25,6 +25,7 @@ public:
     const Vectors<D>& contactImpulse() const { return contactImpulse_; }
     const Spins<D>& contactSpinImpulse() const { return contactSpinImpulse_; }
     const Wrenches<D>& lasting() const { return lasting_; }
+    const Wrenches<D>& unexpected() const { return unexpected_; }
     const Wrenches<D>& owed() const { return owed_; }
     double lastTimeStep() const { return lastTimeStep_; }
     double worstOverlap() const { return worstOverlap_; }
@@ -103,7 +104,7 @@ private:
     /// their contacts give to all that moves with them while they last.
     Wrenches<D> withOwed(const Vectors<D>& force, const Spins<D>& torque, double dt) const;
 
-    /// Set owed_ by the contacts of a step of length dt.
+    /// Set unexpected_ and owed_ by the contacts of a step of length dt.
     void keepOwed(double dt);
 
     void setFreeMotion(const Wrenches<D>& given, double dt);
@@ -259,7 +260,7 @@ private:
     Spins<D> contactSpinImpulse_;
     std::vector<double> viscosity_;   ///< of the fluid around each grain [Pa s]; empty for none
     std::vector<double> heaviness_;   ///< of each grain: see setHeaviness()
-    Wrenches<D> owed_;   ///< impulses [N s, N m s]: see owed()
+    Wrenches<D> unexpected_, owed_;   ///< impulses [N s, N m s]: see unexpected(), owed()
     Wrenches<D> lasting_, earlier_;   ///< of contacts: see lasting(), and in the step before the last
     double lastTimeStep_ = 0, lastSubStep_ = 0, worstOverlap_ = 0;
 };

@@ -103,7 +103,7 @@ void ContactDynamics<D>::Implementation::remove(const std::vector<bool>& gone)
     drop(contactImpulse_, gone);
     drop(contactSpinImpulse_, gone);
     drop(heaviness_, gone);
-    for (Wrenches<D>* known : {&owed_, &lasting_, &earlier_})
+    for (Wrenches<D>* known : {&unexpected_, &owed_, &lasting_, &earlier_})
     {
         drop(known->force, gone);
         drop(known->torque, gone);

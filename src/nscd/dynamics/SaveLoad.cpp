@@ -117,6 +117,7 @@ void ContactDynamics<D>::Implementation::save(const std::string& file, double ti
     state.materials = table_.names();
     state.contactImpulse = contactImpulse_;
     state.contactSpinImpulse = contactSpinImpulse_;
+    state.unexpected = unexpected_;
     state.owed = owed_;
     state.lasting = lasting_;
     state.earlier = earlier_;
@@ -172,9 +173,13 @@ double ContactDynamics<D>::Implementation::load(const std::string& file)
     const bool isOld = state.lasting.force.size() < grains_.size();
     lasting_ = isOld ? meanOfContacts(lastTimeStep_) : std::move(state.lasting);
     earlier_ = isOld ? lasting_ : std::move(state.earlier);
+    unexpected_ = std::move(state.unexpected);
     owed_ = std::move(state.owed);
-    owed_.force.resize(grains_.size(), Vector<D>::Zero());
-    owed_.torque.resize(grains_.size(), Spin<D>::Zero());
+    for (Wrenches<D>* known : {&unexpected_, &owed_})
+    {
+        known->force.resize(grains_.size(), Vector<D>::Zero());
+        known->torque.resize(grains_.size(), Spin<D>::Zero());
+    }
     heaviness_.assign(grains_.size(), 1);
     viscosity_.clear();
     lastSubStep_ = state.lastSubStep;

@@ -354,6 +354,8 @@ void writeState(const std::string& file, const State<D>& s)
     out.write("temperature", toColumn<double>(s.grains.temperature), "K");
     out.write("contactImpulse", toTable(s.contactImpulse), "N s");
     out.write("contactSpinImpulse", toTable(s.contactSpinImpulse), "N m s");
+    out.write("unexpectedImpulse", toTable(s.unexpected.force), "N s");
+    out.write("unexpectedSpinImpulse", toTable(s.unexpected.torque), "N m s");
     out.write("owedImpulse", toTable(s.owed.force), "N s");
     out.write("owedSpinImpulse", toTable(s.owed.torque), "N m s");
     out.write("lastingForce", toTable(s.lasting.force), "N");
@@ -432,6 +434,10 @@ State<D> readState(const std::string& file)
     s.grains.temperature = column("temperature");
     s.contactImpulse = vectors("contactImpulse");
     s.contactSpinImpulse = spins("contactSpinImpulse");
+    if (in.contains("unexpectedImpulse"))
+    {
+        s.unexpected = {vectors("unexpectedImpulse"), spins("unexpectedSpinImpulse")};
+    }
     if (in.contains("owedImpulse"))
     {
         s.owed = {vectors("owedImpulse"), spins("owedSpinImpulse")};

@@ -25,7 +25,7 @@ struct State
     std::vector<std::string> materials;
     Vectors<D> contactImpulse;
     Spins<D> contactSpinImpulse;
-    Wrenches<D> owed, lasting, earlier;
+    Wrenches<D> unexpected, owed, lasting, earlier;
     double lastTimeStep = 0, lastSubStep = 0;
 
     /// What the candidate list was made for, and hence the order of the sweeps.

@@ -185,8 +185,10 @@ void ContactDynamics<D>::Implementation::keepOwed(double dt)
 {
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        owed_.force[i] = owedPart(i) * (contactImpulse_[i] - dt * lasting_.force[i]);
-        owed_.torque[i] = owedPartOfTorque(i) * (contactSpinImpulse_[i] - dt * lasting_.torque[i]);
+        unexpected_.force[i] = contactImpulse_[i] - dt * lasting_.force[i];
+        unexpected_.torque[i] = contactSpinImpulse_[i] - dt * lasting_.torque[i];
+        owed_.force[i] = owedPart(i) * unexpected_.force[i];
+        owed_.torque[i] = owedPartOfTorque(i) * unexpected_.torque[i];
     }
 }
 

@@ -120,19 +120,6 @@ tmp<surfaceScalarField> pastFaces
 }
 
 
-//- Share of the volume that moves with what the face does, times the share of the
-//  pressure gradient that moves it
-tmp<volScalarField> shareOf
-(
-    const stepCoefficients& step,
-    const exchangeFields& grains
-)
-{
-    tmp<volScalarField> moves(step.alpha + grains.mobile);
-    return grains.gradientOnGrains ? sqr(moves) : moves;
-}
-
-
 //- Flux of a face less that of its cells, each by its part in the equation of the
 //  face, at the beginning of the step, per time
 tmp<surfaceScalarField> changeOfOldFlux
@@ -185,6 +172,17 @@ tmp<surfaceScalarField> changeOfOldFlux
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::faceMomentum::moving
+(
+    const stepCoefficients& step,
+    const exchangeFields& grains
+)
+{
+    tmp<volScalarField> moves(step.alpha + grains.mobile);
+    return grains.gradientOnGrains ? sqr(moves) : moves;
+}
+
+
 Foam::faceMomentum::faceMomentum
 (
     const fvVectorMatrix& UEqn,
@@ -201,7 +199,7 @@ Foam::faceMomentum::faceMomentum
     share
     (
         "share",
-        shareOf(step, grains)/(A + (1 - step.eps)*rho/rho.time().deltaT())
+        moving(step, grains)/(A + (1 - step.eps)*rho/rho.time().deltaT())
     ),
     sharef("sharef", fvc::interpolate(share)),
     perForce

@@ -203,6 +203,12 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::pressureForce
     const surfaceScalarField& flux = tflux();
     const scalar kinks = fields_.areOfStep ? 1 : 0;
 
+    if (inertial_.valid())
+    {
+        return
+            step.share
+           *inertial_->gradient(gradient, flux, fields_.phi.oldTime());
+    }
     surfaceScalarField faceForce("faceForce", gradient - kinks*step.phib);
     resolved_.correctFaceForce(faceForce);
     faceForce += kinks*step.betaf*flux;
@@ -314,6 +320,16 @@ void Foam::vansFlow::predict(const pimpleControl& control)
     if (step_->faceForce.valid())
     {
         gradient += step_->faceForce();
+    }
+    inertial_.clear();
+    if
+    (
+        !isFirst_ && grains_.areSmall && !resolved_.isActive()
+     && !isSecondOrderInTime(mesh_)
+     && gMin(step_->eps.primitiveField()) < 1
+    )
+    {
+        inertial_.reset(new inertialForce(*step_, grains_, fluid_.rho()));
     }
     const volVectorField force(pressureForce(gradient));
     gradP_ = force/step_->share;

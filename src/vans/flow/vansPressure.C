@@ -202,6 +202,8 @@ bool Foam::vansFlow::accelerates(const label patchi) const
 
 void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
 {
+    constexpr scalar roundOff = 1e-10;
+
     const scalar deltaT = mesh_.time().deltaTValue();
     const surfaceScalarField& before = fields_.phiMomentum.oldTime();
     forAll(mesh_.boundary(), patchi)
@@ -226,7 +228,11 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
                 weights_.earlier
                *(flux - before.oldTime().boundaryField()[patchi]);
         }
-        if (patch.size() == 0 || max(mag(change)) == 0)
+        if
+        (
+            patch.size() == 0
+         || max(mag(change)) <= roundOff*max(mag(flux) + mag(oldFlux))
+        )
         {
             continue;
         }
@@ -234,7 +240,12 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
         {
             return scalarField(x.boundaryField()[patchi].patchInternalField());
         };
-        change -= patch.Sf() & grains_.gained.boundaryField()[patchi].patchInternalField()();
+        if (mesh_.moving())
+        {
+            change -=
+                patch.Sf()
+              & grains_.gained.boundaryField()[patchi].patchInternalField()();
+        }
         const scalarField inertia(inCells(step_->inertia)/deltaT);
         gradient.boundaryFieldRef()[patchi] -=
             inertia

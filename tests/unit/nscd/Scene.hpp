@@ -148,6 +148,8 @@ bool sameBits(const nscd::ContactDynamics<D>& a, const nscd::ContactDynamics<D>&
            sameBits(a.contactImpulse(), b.contactImpulse()) &&
            sameBits(a.contactSpinImpulse(), b.contactSpinImpulse()) &&
            std::equal(x.begin(), x.end(), y.begin(), y.end(), sameMotion<D>) && a.worstOverlap() == b.worstOverlap() &&
+           sameBits(a.unexpected().force, b.unexpected().force) &&
+           sameBits(a.unexpected().torque, b.unexpected().torque) &&
            sameBits(a.owed().force, b.owed().force) && sameBits(a.owed().torque, b.owed().torque) &&
            sameBits(a.lasting().force, b.lasting().force) && sameBits(a.lasting().torque, b.lasting().torque) &&
            a.lastTimeStep() == b.lastTimeStep();

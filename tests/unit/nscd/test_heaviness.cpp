@@ -53,6 +53,22 @@ TYPED_TEST(Heaviness, ReboundIsThatOfTheGrainAndOfWhatMovesWithIt)
     EXPECT_EQ(dynamics.owed().force[0].norm(), 0);
 }
 
+TYPED_TEST(Heaviness, WhatHoldsAGrainIsExpectedOnceItHasDoneSoForThreeSteps)
+{
+    constexpr int D = TestFixture::dimension;
+    Scene<D> scene(0);
+    scene.addFloor();
+    scene.add(up<D>(1), nscd::Vector<D>::Zero());
+    auto dynamics = scene.dynamics();
+    for (int step = 0; step < 6; ++step)
+    {
+        fall<D>(dynamics, up<D>(-10), dt);
+        EXPECT_NEAR(dynamics.unexpected().force[0][D - 1], step < 3 ? 10 * dt : 0, 1e-12) << step;
+    }
+    fall<D>(dynamics, up<D>(10), dt);
+    EXPECT_NEAR(dynamics.unexpected().force[0][D - 1], -10 * dt, 1e-12);
+}
+
 TYPED_TEST(Heaviness, MomentaAreKeptWithWhatIsOwed)
 {
     constexpr int D = TestFixture::dimension;

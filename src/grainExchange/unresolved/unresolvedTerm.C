@@ -188,7 +188,6 @@ void Foam::unresolvedTerm::predict
     at_.set(grains_, resolved, undisturbed_.cellSize(), U);
     setKnownForce(U);
     undisturbed_.set(grains_, resolved, fluid_, cellEps, U, at_, *drag_);
-    fields.areSmall = undisturbed_.areSmall(grains_, resolved);
 
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
     {

@@ -9,6 +9,22 @@
 #include "fvc.H"
 #include "reconstruction.H"
 
+namespace
+{
+
+//- Of a cell's inertia in that of a face
+Foam::tmp<Foam::volScalarField> movingShare
+(
+    const Foam::stepCoefficients& step,
+    const Foam::exchangeFields& grains
+)
+{
+    return max(Foam::faceMomentum::moving(step, grains), Foam::scalar(Foam::SMALL));
+}
+
+}
+
+
 Foam::inertialForce::inertialForce
 (
     const stepCoefficients& step,
@@ -29,8 +45,16 @@ Foam::inertialForce::inertialForce
           + whole_*grains.K*step.still
         )
     ),
-    share_("share", max(faceMomentum::moving(step, grains), scalar(SMALL))),
-    sharef_("sharef", fvc::interpolate(share_))
+    weight_
+    (
+        "weight",
+        movingShare(step, grains)*step.still*inertia_
+    ),
+    sum_
+    (
+        "sum",
+        fvc::interpolate(movingShare(step, grains))*fvc::interpolate(step.still)
+    )
 {}
 
 
@@ -41,13 +65,11 @@ Foam::tmp<Foam::volVectorField> Foam::inertialForce::besidesInertia
     const volVectorField& gained
 ) const
 {
-    const volScalarField part(share_*step_.still*inertia_);
     surfaceScalarField rest
     (
         "rest",
         ofFaces
-      + (fvc::interpolate(part)*force - fvc::flux(part*whole_*gained))
-       /(sharef_*fvc::interpolate(step_.still))
+      + (fvc::interpolate(weight_)*force - fvc::flux(weight_*whole_*gained))/sum_
     );
     forAll(rest.boundaryField(), patchi)
     {

@@ -324,7 +324,7 @@ void Foam::vansFlow::predict(const pimpleControl& control)
     inertial_.clear();
     if
     (
-        !isFirst_ && grains_.areSmall && !resolved_.isActive()
+        !isFirst_ && !resolved_.isActive()
      && !isSecondOrderInTime(mesh_)
      && gMin(step_->eps.primitiveField()) < 1
     )

@@ -42,13 +42,17 @@ public:
 };
 
 
+bool isLast(const Foam::pimpleControl& control)
+{
+    return control.corrPISO() == control.nCorrPISO();
+}
+
+
 //- Is this the last correction of a step that ends with an equation of momentum
 //  that is solved?
 bool isClosing(const Foam::pimpleControl& control)
 {
-    return
-        control.corrPISO() == control.nCorrPISO()
-     && control.dict().getOrDefault("closeMomentum", false);
+    return isLast(control) && control.dict().getOrDefault("closeMomentum", false);
 }
 
 }
@@ -275,7 +279,6 @@ void Foam::vansFlow::setPressure()
         // As a restart will find them, not to round-off
         p_rgh.correctBoundaryConditions();
     }
-    addDragAtPatches();
 }
 
 
@@ -366,4 +369,8 @@ void Foam::vansFlow::correct(pimpleControl& control)
     options_.correct(U);
 
     setPressure();
+    if (isLast(control))
+    {
+        addDragAtPatches();
+    }
 }

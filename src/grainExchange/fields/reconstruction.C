@@ -57,6 +57,15 @@ Foam::tmp<Foam::volVectorField> Foam::reconstruction::of
 }
 
 
+Foam::tmp<Foam::volTensorField> Foam::reconstruction::mean
+(
+    const surfaceScalarField& ofFaces
+) const
+{
+    return inverse_ & fvc::surfaceSum(normal_*(ofFaces*mesh_.Sf()));
+}
+
+
 bool Foam::reconstruction::movePoints()
 {
     normal_ = normals();

@@ -7,6 +7,8 @@
 
 #include "faceMomentum.H"
 #include "fvc.H"
+#include "localMax.H"
+#include "localMin.H"
 #include "reconstruction.H"
 
 namespace
@@ -35,7 +37,16 @@ Foam::inertialForce::inertialForce
     step_(step),
     grains_(grains),
     whole_("whole", rho/rho.time().deltaT()),
-    wholef_("wholef", 1/fvc::interpolate(1/whole_)),
+    wholef_
+    (
+        "wholef",
+        localMin<scalar>(rho.mesh()).interpolate(whole_)
+       /(
+            localMax<scalar>(rho.mesh()).interpolate(whole_)
+           *fvc::interpolate(1/whole_)
+        )
+    ),
+    around_("around", reconstruction::New(rho.mesh()).mean(wholef_)),
     inertia_
     (
         "inertia",
@@ -45,41 +56,97 @@ Foam::inertialForce::inertialForce
           + whole_*grains.K*step.still
         )
     ),
-    weight_
+    part_
     (
-        "weight",
+        "part",
         movingShare(step, grains)*step.still*inertia_
     ),
-    sum_
+    partf_
     (
-        "sum",
-        fvc::interpolate(movingShare(step, grains))*fvc::interpolate(step.still)
+        "partf",
+        wholef_
+       /(
+            fvc::interpolate(movingShare(step, grains))
+           *fvc::interpolate(step.still)
+        )
     )
 {}
 
 
-Foam::tmp<Foam::volVectorField> Foam::inertialForce::besidesInertia
+Foam::tmp<Foam::volVectorField> Foam::inertialForce::inCells
 (
-    const surfaceScalarField& ofFaces,
-    const surfaceScalarField& force,
-    const volVectorField& gained
+    surfaceScalarField& ofFaces
 ) const
 {
-    surfaceScalarField rest
-    (
-        "rest",
-        ofFaces
-      + (fvc::interpolate(weight_)*force - fvc::flux(weight_*whole_*gained))/sum_
-    );
-    forAll(rest.boundaryField(), patchi)
+    forAll(ofFaces.boundaryField(), patchi)
     {
-        fvsPatchScalarField& patch = rest.boundaryFieldRef()[patchi];
+        fvsPatchScalarField& patch = ofFaces.boundaryFieldRef()[patchi];
         if (!patch.coupled() && !grains_.freePatches.found(patchi))
         {
             patch == 0;
         }
     }
-    return reconstructed(rest);
+    return reconstructed(ofFaces);
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::inertialForce::onGained
+(
+    const volVectorField& gained
+) const
+{
+    surfaceScalarField ofFaces("onGained", partf_*fvc::flux(part_*gained));
+    return inCells(ofFaces);
+}
+
+
+void Foam::inertialForce::solve
+(
+    volVectorField& rest,
+    volVectorField& residual
+) const
+{
+    constexpr label most = 12;
+    constexpr scalar tolerance = 1e-4;
+
+    const scalarField& V = rest.mesh().V();
+    const auto product = [&V](const volVectorField& a, const volVectorField& b)
+    {
+        return gSum((V*(a.primitiveField() & b.primitiveField()))());
+    };
+    const volScalarField givesWay("givesWay", grains_.K*step_.still);
+    const scalar enough = sqr(tolerance)*product(rest, rest);
+    PtrList<volVectorField> ways(most);
+    PtrList<volVectorField> images(most);
+    scalarField sizes(most);
+    for (label i = 0; i < most && product(residual, residual) > enough; ++i)
+    {
+        ways.set(i, new volVectorField("way", residual));
+        images.set
+        (
+            i, new volVectorField("image", residual - onGained(givesWay*residual))
+        );
+        for (label j = 0; j < i; ++j)
+        {
+            const dimensionedScalar along
+            (
+                "along", dimless, product(images[i], images[j])/sizes[j]
+            );
+            ways[i] -= along*ways[j];
+            images[i] -= along*images[j];
+        }
+        sizes[i] = product(images[i], images[i]);
+        if (sizes[i] <= VSMALL)
+        {
+            return;
+        }
+        const dimensionedScalar length
+        (
+            "length", dimless, product(residual, images[i])/sizes[i]
+        );
+        rest += length*ways[i];
+        residual -= length*images[i];
+    }
 }
 
 
@@ -90,9 +157,6 @@ Foam::tmp<Foam::volVectorField> Foam::inertialForce::gradient
     const surfaceScalarField& oldFlux
 ) const
 {
-    // What grains gain has the gradient that is looked for
-    constexpr label sweeps = 3;
-
     const volScalarField& still = step_.still;
     const volVectorField drag
     (
@@ -103,16 +167,23 @@ Foam::tmp<Foam::volVectorField> Foam::inertialForce::gradient
         "other",
         (ofFaces - step_.phib + step_.betaf*flux)/fvc::interpolate(still)
     );
-    const surfaceScalarField force("force", wholef_*(flux - oldFlux));
-    const volVectorField accelerated(reconstructed(force));
+    const surfaceScalarField change("change", flux - oldFlux);
+    const volVectorField accelerated(reconstructed(wholef_*change));
+    surfaceScalarField known("known", other + partf_*fvc::interpolate(part_)*change);
+    const volVectorField besides(inCells(known));
 
-    volVectorField rest("rest", reconstructed(other));
-    volVectorField gained("gained", grains_.gained);
-    for (label sweep = 0; sweep < sweeps; ++sweep)
+    // What grains gain has the gradient that is looked for
+    const auto gained = [&](const volVectorField& rest)
     {
-        gained = grains_.gained - grains_.K*(still*rest + drag);
-        rest = besidesInertia(other, force, gained);
-    }
+        return grains_.gained - grains_.K*(still*rest + drag);
+    };
+    volVectorField rest("rest", reconstructed(other));
+    volVectorField residual("residual", besides - onGained(gained(rest)) - rest);
+    solve(rest, residual);
+
+    const volVectorField gain("gain", gained(rest));
     return
-        still*(rest - inertia_*(accelerated - whole_*gained)) + drag;
+        still
+       *(besides - onGained(gain) - inertia_*(accelerated - (around_ & gain)))
+      + drag;
 }

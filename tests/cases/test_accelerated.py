@@ -56,7 +56,7 @@ def test_a_suspension_that_fluid_carries_along_is_accelerated_evenly(clone):
 
 @pytest.mark.parametrize("cells", [0.2, 0.8, 1.6])
 def test_heaps_press_on_a_floor_that_rises_ever_faster_as_in_more_gravity(clone, cells):
-    """By (m - m_w) (g + a): 0.83, 0.978 and 0.988 by one force for both cells of a face."""
+    """By (m - m_w) (g + a): 0.89, 0.976 and 0.998 by one force for both cells of a face."""
     delta_t, steps = 2.5e-4, 80
     radius = 0.005 * cells
     places = lattice(int(0.049 / radius), 3, 2 * radius, (0.001 + radius, radius))
@@ -67,8 +67,8 @@ def test_heaps_press_on_a_floor_that_rises_ever_faster_as_in_more_gravity(clone,
     case.run("grainFoam")
     force = -case.table("postProcessing/out/0/box.csv")["fy"]
     reduced = case.grains()["mass"].sum() * (1 - 1000 / 2500)
-    # Where cells cut discs each in its own way some fluid moves: measured 0.0041
-    np.testing.assert_allclose(force[-20:].mean(), reduced * (9.81 + ACCELERATION), rtol=5e-3)
+    # Some fluid moves in the first steps, in which contacts are not known: measured 0.0006
+    np.testing.assert_allclose(force[-20:].mean(), reduced * (9.81 + ACCELERATION), rtol=2e-3)
 
 
 def test_water_among_large_grains_has_the_speed_of_their_floor(clone):

@@ -232,11 +232,8 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
                 weights_.earlier
                *(flux - before.oldTime().boundaryField()[patchi]);
         }
-        if
-        (
-            patch.size() == 0
-         || max(mag(change)) <= roundOff*max(mag(flux) + mag(oldFlux))
-        )
+        const scalar least = roundOff*gMax((mag(flux) + mag(oldFlux))());
+        if (gMax(mag(change)()) <= least || patch.size() == 0)
         {
             continue;
         }

@@ -112,3 +112,31 @@ def test_discs_with_backward(clone, speed):
     sums = (1.5 * fluid[1:] - 0.5 * fluid[:-1]) + grains[1:]
     # 2e-4 at 1 m/s; 1e-3, 2.5e-3, 3.3e-3 with the flux that is not corrected
     assert np.abs(sums - sums[0]).max() <= 3e-4 * sums[0]
+
+
+@pytest.mark.parametrize("cells", [0.2, 0.6, 1.2])
+def test_a_grain_that_is_put_into_the_fluid_adds_its_own(clone, cells):
+    """A light disc at 0.5 m/s into fluid at rest: the cell that it comes into had more mass in the
+    next step than in the first, and the sum was 1.058, 1.008 and 1.020 of what came."""
+    radius, density, speed = 0.005 * cells, 100.0, 0.5
+    case = cyclic_box(clone, [(0.012, 0.013)], radius)
+    correct_pressure(case, 2, "yes")
+    replace(case, "constant/transportProperties", "1e-4", "1e-6")
+    file = "constant/grainProperties"
+    replace(case, file, "density 2500", f"density {density}")
+    source = (
+        f"type box; box (0.02 0.02 0) (0.08 0.08 0.01); velocity (0 {speed} 0); material glass;"
+        f" numberRate 1000; total 1; distribution {{ type constant; radius {radius}; }}"
+    )
+    replace(case, file, "initialGrains", f"injections {{ rain {{ {source} }} }}\n\ninitialGrains")
+    control(case, deltaT=1e-3, endTime=0.01, writeInterval=10)
+    case.run("grainFoam")
+    data = ledger(case)
+    fluid = data["fluidMomentum_y"]
+    sums = (fluid + data["grainMomentum_y"]) / data["injectedMomentum_y"].sum()
+    step = np.flatnonzero(data["injected"])[0]
+    np.testing.assert_allclose(sums[step], 1, atol=CLOSED)
+    # Fluid that has no room for it any more leaves with the velocity that it has
+    leaves = np.pi * radius**2 / SIDE**2 * fluid[step] / data["injectedMomentum_y"].sum()
+    assert 1 - 1.2 * leaves <= sums[step + 1] <= 1
+    np.testing.assert_allclose(sums[step + 1 :], sums[step + 1], atol=CLOSED)

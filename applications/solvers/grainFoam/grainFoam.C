@@ -65,10 +65,7 @@ int main(int argc, char *argv[])
     while (states.run())
     {
         carried.startStep();
-        if (exchange.inject(fields.U))
-        {
-            carried.makeRoom();
-        }
+        exchange.inject(fields.U);
         timeStep.set(flow.relativePhiU());
         ++runTime;
 

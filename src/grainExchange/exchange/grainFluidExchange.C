@@ -264,17 +264,13 @@ void Foam::grainFluidExchange::meshChanged()
 }
 
 
-bool Foam::grainFluidExchange::inject(const volVectorField& U)
+void Foam::grainFluidExchange::inject(const volVectorField& U)
 {
     const stopwatch::lap lap(time_);
     fields_.freePatches = openings_.freePatches(U, resolved_->openings());
     crossing_.startStep(fields_.freePatches);
-    if (!grains_.inject(U))
+    if (grains_.inject(U))
     {
-        return false;
+        setEps();
     }
-    const scalarField before(eps_.primitiveField());
-    setEps();
-    // More than a tenth of a cell, which is a Courant number of as much
-    return gMax(mag(eps_.primitiveField() - before)()) > 0.1;
 }

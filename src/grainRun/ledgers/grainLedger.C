@@ -81,7 +81,8 @@ void Foam::grainLedger::startStep(const surfaceScalarField& phiU)
 void Foam::grainLedger::keepEps()
 {
     oldEps_ = exchange_.eps().primitiveField();
-    oldMass_ = oldEps_*rho_.primitiveField()*mesh_.V().field();
+    // What makes room for grains that come in does so within the step
+    oldMass_ = carried_.flux().oldVolume()*rho_.primitiveField();
     oldEpsf_.reset(new surfaceScalarField(fvc::interpolate(exchange_.eps())));
 }
 

@@ -61,9 +61,9 @@ Foam::tmp<Foam::volScalarField> Foam::transportedMass::isCarried
     const volScalarField& share
 ) const
 {
-    const volScalarField& fraction =
-        mesh_.lookupObject<volScalarField>("fluidFraction");
-    return pos(1e-6 - mag(share - max(fraction, exchangeFields::epsMin)));
+    // With the grains that came in at the beginning of the step
+    const volScalarField& eps = mesh_.lookupObject<volScalarField>("eps");
+    return pos(1e-6 - mag(share - max(eps, exchangeFields::epsMin)));
 }
 
 

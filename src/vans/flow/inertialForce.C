@@ -69,7 +69,8 @@ Foam::inertialForce::inertialForce
             fvc::interpolate(movingShare(step, grains))
            *fvc::interpolate(step.still)
         )
-    )
+    ),
+    gain_("gain", grains.gained)
 {}
 
 
@@ -181,9 +182,30 @@ Foam::tmp<Foam::volVectorField> Foam::inertialForce::gradient
     volVectorField residual("residual", besides - onGained(gained(rest)) - rest);
     solve(rest, residual);
 
-    const volVectorField gain("gain", gained(rest));
+    gain_ = gained(rest);
     return
         still
-       *(besides - onGained(gain) - inertia_*(accelerated - (around_ & gain)))
+       *(besides - onGained(gain_) - inertia_*(accelerated - (around_ & gain_)))
       + drag;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::inertialForce::atPatch
+(
+    const label patchi,
+    const scalarField& change
+) const
+{
+    const fvPatch& patch = gain_.mesh().boundary()[patchi];
+    const labelUList& cells = patch.faceCells();
+    const vectorField normal(patch.nf());
+    tmp<scalarField> tresult(new scalarField(patch.size()));
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        tresult.ref()[i] =
+            step_.still[celli]*inertia_[celli]*whole_[celli]
+           *((gain_[celli] & normal[i]) - change[i]/patch.magSf()[i]);
+    }
+    return tresult;
 }

@@ -285,11 +285,6 @@ void Foam::vansFlow::addDragAtPatches()
     {
         return;
     }
-    const volVectorField drag
-    (
-        "drag",
-        step_->bByShare - step_->betaByShare*reconstructed(fields_.phi)
-    );
     forAll(p_.boundaryField(), patchi)
     {
         fvPatchScalarField& p = p_.boundaryFieldRef()[patchi];
@@ -299,12 +294,25 @@ void Foam::vansFlow::addDragAtPatches()
          && !fields_.p_rgh.boundaryField()[patchi].fixesValue()
         )
         {
-            p ==
-                p
-              + (
-                    drag.boundaryField()[patchi].patchInternalField()
-                  & p.patch().delta()
+            const fvPatch& patch = p.patch();
+            const scalarField& flux = fields_.phi.boundaryField()[patchi];
+            const auto inCells = [&](const auto& x)
+            {
+                return x.boundaryField()[patchi].patchInternalField();
+            };
+            scalarField gradient
+            (
+                (inCells(step_->bByShare) & patch.nf())
+              - inCells(step_->betaByShare)*flux/patch.magSf()
+            );
+            if (inertial_.valid())
+            {
+                gradient += inertial_->atPatch
+                (
+                    patchi, flux - fields_.phi.oldTime().boundaryField()[patchi]
                 );
+            }
+            p == p + gradient*(patch.nf() & patch.delta());
         }
     }
 }

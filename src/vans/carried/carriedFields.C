@@ -133,6 +133,16 @@ void Foam::carriedFields::startStep()
 }
 
 
+void Foam::carriedFields::makeRoom()
+{
+    makesRoom_ = true;
+    if (hasMass_)
+    {
+        fluid_->forgetMass();
+    }
+}
+
+
 void Foam::carriedFields::beforeMeshChange()
 {
     for (fluidScalar& one : scalars_)

@@ -91,6 +91,5 @@ def test_seepage_through_a_dam(clone):
         flux = flux * case.field("U", time).reshape(n, n, 3)[:, :, 0] * 0.1 / n
         upper, lower = water.sum(axis=0)[[begin - 1, end]] * 0.1 / n
         darcy = CONDUCTIVITY * (upper**2 - lower**2) / (2 * 0.04)
-        print(time, upper, lower, flux.sum(axis=0)[begin:end].mean() / darcy)
         # Levels in cells of 5 mm: 0.01
         assert flux.sum(axis=0)[begin:end].mean() == pytest.approx(darcy, rel=0.03)

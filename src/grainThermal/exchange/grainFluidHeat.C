@@ -34,6 +34,7 @@ Foam::grainFluidHeat::grainFluidHeat
     grains_(grains),
     exchange_(exchange),
     fluid_(fluid),
+    conduction_(grains),
     unresolved_(grains, aroundGrains, heatAroundGrains),
     resolved_(grains, exchange.resolved()),
     others_(others),
@@ -74,6 +75,11 @@ void Foam::grainFluidHeat::noteGapsTwice() const
 {
     const dictionary& heat =
         grains_.motion().coupling().parent().subOrEmptyDict("heat");
+    if (heat.found("throughFluid") && conduction_.isActive())
+    {
+        Info<< "'throughFluid' of 'heat' and the law 'conductivity' of 'coupling' both"
+            << " have what the fluid between near grains conducts" << endl;
+    }
     label resolved = 0;
     for (label i = 0; i < grains_.size(); ++i)
     {
@@ -111,13 +117,21 @@ void Foam::grainFluidHeat::checkProperties(const volScalarField& T) const
 
 void Foam::grainFluidHeat::setOpenConductivity()
 {
-    openConductivity_ ==
-        fluid_.kappaEff()
-       *max
+    const volScalarField open
+    (
+        max
         (
             exchange_.resolved().amongSmall(exchange_.fields().fluidShare),
             transportFlux::least
-        );
+        )
+    );
+    openConductivity_ == fluid_.kappaEff()*open;
+    if (conduction_.isActive())
+    {
+        const volScalarField& kappa = fluid_.kappa();
+        openConductivity_ +=
+            kappa*(conduction_.ratio(open, kappa, exchange_.resolved()) - open);
+    }
 }
 
 

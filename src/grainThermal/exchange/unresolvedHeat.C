@@ -6,6 +6,7 @@
 #include "unresolvedHeat.H"
 
 #include "dictionaryInput.H"
+#include "gatheredExchange.H"
 
 Foam::unresolvedHeat::unresolvedHeat
 (
@@ -119,7 +120,6 @@ void Foam::unresolvedHeat::add
     );
 
     heatLaw::range used{1, 0};
-    scalarField coefficient(V.size(), Zero);
     conductance_ = scalarField(overlaps.size(), Zero);
     toOthers_.clear();
     for (label graini = 0; graini < overlaps.nGrains(); ++graini)
@@ -158,10 +158,27 @@ void Foam::unresolvedHeat::add
             conductance_[o.index] =
                 (1 - share)*o.volume
                *h(graini, o, ofFluid(o.cell), cellEps, slip, own);
-            coefficient[o.cell] += conductance_[o.index]/V[o.cell];
         }
     }
     warn(used);
+
+    scalarField lone(undisturbed.size());
+    forAll(lone, graini)
+    {
+        lone[graini] = undisturbed[graini].lone;
+    }
+    gatherExchange
+    (
+        grains_, exchange.unresolved().undisturbed().cellSize(), lone, conductance_
+    );
+    scalarField coefficient(V.size(), Zero);
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            coefficient[o.cell] += conductance_[o.index]/V[o.cell];
+        }
+    }
     grains_.voidFraction().smooth(coefficient);
     cells.coefficient += coefficient;
 }

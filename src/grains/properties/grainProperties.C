@@ -80,7 +80,7 @@ void Foam::grainProperties<D>::check() const
             coupling(),
             {
                 "packingRatio", "coarseGraining", "motion", "form", "voidFraction",
-                "drag", "viscosity", "heatTransfer", "addedMass", "lift",
+                "drag", "viscosity", "conductivity", "heatTransfer", "addedMass", "lift",
                 "undisturbedFlow", "resolvedGrains", "lubrication"
             }
         );

@@ -31,13 +31,16 @@ Foam::grainSystem::grainSystem
             << "    allowed: in dryGrainFoam and grainThermalFoam"
             << exit(FatalIOError);
     }
-    if (!withHeat && motion_->coupling().found("heatTransfer"))
+    for (const word& keyword : wordList({"heatTransfer", "conductivity"}))
     {
-        dictionaryInput::badValue
-        (
-            motion_->coupling(), "heatTransfer", "a law",
-            "nothing, as this solver has no heat; grainThermalFoam has"
-        );
+        if (!withHeat && motion_->coupling().found(keyword))
+        {
+            dictionaryInput::badValue
+            (
+                motion_->coupling(), keyword, "a law",
+                "nothing, as this solver has no heat; grainThermalFoam has"
+            );
+        }
     }
     if (withHeat && !motion_->conducts())
     {

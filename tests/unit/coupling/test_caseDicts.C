@@ -6,6 +6,7 @@
 #include "foamTest.H"
 
 #include "contactLaw.H"
+#include "effectiveConductivity.H"
 #include "grainHeat.H"
 #include "grainMaterials.H"
 #include "grainOutlet.H"
@@ -82,6 +83,7 @@ TEST(CaseDicts, OfHeatTransferAreAccepted)
     const dictionary coupling(documented("grainProperties").subDict("coupling"));
     const autoPtr<heatLaw> law(heatLaw::New(coupling.subDict("heatTransfer"), 2));
     EXPECT_EQ(law->type(), "Henry");
+    EXPECT_EQ(effectiveConductivity::New(coupling, 2)->type(), "ZehnerSchluender");
 
     // Its comment names every law
     std::stringstream text;

@@ -7,6 +7,7 @@
 
 #include "adjustableTimeStep.H"
 #include "dragLaw.H"
+#include "effectiveConductivity.H"
 #include "effectiveViscosity.H"
 #include "functionOfTemperature.H"
 #include "grainHeat.H"
@@ -136,6 +137,10 @@ TEST(UsageOfHeaders, IsAcceptedByTheClasses)
     for (const char* name : {"Batchelor", "Einstein", "KriegerDougherty", "noEffectiveViscosity"})
     {
         EXPECT_NO_THROW(effectiveViscosity::New(example(name)));
+    }
+    for (const char* name : {"Maxwell", "ZehnerSchluender", "noEffectiveConductivity"})
+    {
+        EXPECT_NO_THROW(effectiveConductivity::New(example(name), 3));
     }
     EXPECT_GT(HeleShawPlates(example("HeleShaw")), 0);
 

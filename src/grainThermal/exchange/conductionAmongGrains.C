@@ -1,0 +1,85 @@
+/*---------------------------------------------------------------------------*\
+    SPDX-FileCopyrightText: 2026 The grainFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "conductionAmongGrains.H"
+
+Foam::conductionAmongGrains::conductionAmongGrains(const grainSystem& grains)
+:
+    grains_(grains),
+    law_
+    (
+        effectiveConductivity::New
+        (
+            grains.motion().coupling(), grains.mesh().nGeometricD()
+        )
+    )
+{}
+
+
+Foam::scalarField Foam::conductionAmongGrains::ofGrains
+(
+    const resolvedTerm& resolved
+) const
+{
+    const overlapList& overlaps = grains_.overlaps();
+    const scalarField& V = grains_.mesh().V();
+    scalarField weighted(V.size(), Zero);
+    scalarField volume(V.size(), Zero);
+    for (label graini = 0; graini < overlaps.nGrains(); ++graini)
+    {
+        if (resolved.isResolved(graini))
+        {
+            continue;
+        }
+        const scalar k = grains_.temperatures().conductivity(graini);
+        if (k <= 0)
+        {
+            FatalIOErrorInFunction(grains_.motion().coupling())
+                << "Keyword 'conductivity' is missing in the material of grain "
+                << graini << " of " << grains_.size() << nl
+                << "    allowed: values > 0 [W/m/K], in each material of grains,"
+                << " as the law of 'conductivity' in 'coupling' asks for it"
+                << exit(FatalIOError);
+        }
+        for (const cellOverlap& o : overlaps.of(graini))
+        {
+            weighted[o.cell] += k*o.volume/V[o.cell];
+            volume[o.cell] += o.volume/V[o.cell];
+        }
+    }
+    grains_.voidFraction().smooth(weighted);
+    grains_.voidFraction().smooth(volume);
+    return weighted/max(volume, VSMALL);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::conductionAmongGrains::ratio
+(
+    const volScalarField& open,
+    const volScalarField& kappa,
+    const resolvedTerm& resolved
+) const
+{
+    tmp<volScalarField> result(new volScalarField("conductivityRatio", open));
+    const scalarField k(ofGrains(resolved));
+    scalarField& inside = result.ref().primitiveFieldRef();
+    forAll(inside, celli)
+    {
+        inside[celli] = law_->ratio(open[celli], k[celli]/kappa[celli]);
+    }
+    for (fvPatchScalarField& patch : result.ref().boundaryFieldRef())
+    {
+        const fvPatchScalarField& kappaThere =
+            kappa.boundaryField()[patch.patch().index()];
+        const labelUList& cells = patch.patch().faceCells();
+        forAll(patch, facei)
+        {
+            patch[facei] =
+                law_->ratio(patch[facei], k[cells[facei]]/kappaThere[facei]);
+        }
+    }
+    result.ref().correctBoundaryConditions();
+    return result;
+}

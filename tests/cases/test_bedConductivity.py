@@ -5,7 +5,8 @@
 import numpy as np
 import pytest
 from grain_box import control, grain_box, lattice, replace, write_csv
-from heat_box import GRAIN_CP, GRAINS, KAPPA, fix_grains, heat_ledger, with_heat
+from heat_box import GRAIN_CP, GRAINS, KAPPA, fix_grains, heat_ledger, with_heat, write_T
+from sphere_box import sphere_box
 from test_carried import set_cells
 
 SIDE = 0.1
@@ -14,10 +15,8 @@ BETTER = 10
 
 # Of the fluid alone [W]
 ACROSS = KAPPA * 100 * 0.01
-BETWEEN_WALLS = (
-    "left { type fixedValue; value uniform 400; } right { type fixedValue; value uniform 300; }"
-    ' "bottom|top" { type zeroGradient; }'
-)
+WALLS = "left { type fixedValue; value uniform 400; } right { type fixedValue; value uniform 300; }"
+BETWEEN_WALLS = f'{WALLS} "bottom|top" {{ type zeroGradient; }}'
 
 
 def bed(clone, centres, radius, cells, law=None, conductivity=BETTER * KAPPA):
@@ -54,11 +53,12 @@ def disordered():
     return centres + np.random.default_rng(3).uniform(-6e-4, 6e-4, centres.shape), 0.0025
 
 
-def maxwell(phi, k):
-    return (k + 1 + phi * (k - 1)) / (k + 1 - phi * (k - 1))
+def maxwell(phi, k, n=2):
+    """In n dimensions."""
+    return (k + n - 1 + (n - 1) * phi * (k - 1)) / (k + n - 1 - phi * (k - 1))
 
 
-@pytest.mark.parametrize("k", [0.01, 10])
+@pytest.mark.parametrize("k", [0.01, 10, 1000])
 @pytest.mark.parametrize("cells", [5, 10, 20])
 def test_a_bed_conducts_as_its_law_says_in_cells_of_a_diameter_and_more(clone, cells, k):
     centres, radius = disordered()
@@ -67,7 +67,38 @@ def test_a_bed_conducts_as_its_law_says_in_cells_of_a_diameter_and_more(clone, c
     phi = len(centres) * np.pi * radius**2 / SIDE**2
     # Cells differ (fluid fractions of 0.24 to 0.79 in those of a diameter), and 1.66 to 0.91 are
     # added by grains across faces where they hand heat on
-    assert found == pytest.approx(maxwell(phi, k), rel=0.05)
+    assert found == pytest.approx(maxwell(phi, k), rel=0.07)
+
+
+@pytest.mark.parametrize(("k", "cells"), [(0.01, 6), (1000, 6), (10, 12)])
+def test_a_bed_of_spheres_conducts_as_its_law_says(clone, k, cells):
+    radius, n = 0.0041, 10
+    centres = lattice_of_spheres(n)
+    case = sphere_box(clone, centres, radius, n=cells)
+    fix_grains(case)
+    others = '"bottom|top|back|front" { type zeroGradient; }'
+    with_heat(
+        case,
+        350,
+        350,
+        f"{WALLS} {others}",
+        ofGlass=f"heatCapacity {GRAIN_CP}; conductivity {k * KAPPA};",
+        empty="",
+    )
+    replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ conductivity { type Maxwell; }")
+    file = case.path / "constant/g"
+    file.write_text(file.read_text().replace("-9.81", "0"))
+    found = conductivity(case, 30, 300) * ACROSS / (KAPPA * 100 * SIDE)
+    phi = len(centres) * 4 / 3 * np.pi * radius**3 / SIDE**3
+    # Cells differ, the more the smaller they are and the better the grains conduct
+    assert found == pytest.approx(maxwell(phi, k, 3), rel=0.025)
+
+
+def lattice_of_spheres(n):
+    """Without order, 0.29 of a cube with radii of 4.1 mm."""
+    places = (np.arange(n) + 0.5) * SIDE / n
+    centres = np.array(np.meshgrid(places, places, places)).reshape(3, -1).T
+    return centres + np.random.default_rng(3).uniform(-8e-4, 8e-4, centres.shape)
 
 
 def test_an_even_bed_conducts_as_its_law_says(clone):
@@ -106,6 +137,45 @@ def test_what_is_steady_does_not_depend_on_the_time_step(clone, law):
         case.run("grainThermalFoam")
         found.append(heat_ledger(case)["conducted_right"][-1] / deltaT / ACROSS)
     assert found[1:] == pytest.approx([found[0]] * 2, rel=1e-7)
+
+
+@pytest.mark.parametrize("step", [0.1, 1])
+def test_a_wall_warms_a_bed_in_gas_without_fluxes_to_and_fro(clone, step):
+    """Steps of 170 and 1700 times what the grains take to warm the gas between them."""
+    centres, radius = disordered()
+    case = bed(clone, centres, radius, 20, "type Maxwell;")
+    replace(case, "constant/transportProperties", " 1000;", " 1.2;")
+    set_temperatures(case)
+    phi = len(centres) * np.pi * radius**2 / SIDE**2
+    # Nu 2 of spheres
+    deltaT = step * 2500 * GRAIN_CP * (2 * radius) ** 2 / (12 * KAPPA)
+    steps = int(50 / step)
+    control(case, deltaT=repr(deltaT), endTime=repr(steps * deltaT), writeInterval=steps)
+    case.run("grainThermalFoam")
+    ledger = heat_ledger(case)
+    flux = -ledger["conducted_left"]
+    capacity = phi * 2500 * GRAIN_CP + (1 - phi) * 1.2 * 1000
+    time = steps * deltaT
+    area = SIDE * 0.01
+    exact = 2 * 100 * area * np.sqrt(maxwell(phi, BETTER) * KAPPA * capacity * time / np.pi)
+    # Half-space; row of cells at the wall has less solid
+    assert flux.sum() == pytest.approx(exact, rel=0.04)
+    later = flux[steps // 2 :]
+    # Its own bend is 5e-4 and less; 1.8 and more where grains answer a step late
+    assert np.abs(np.diff(later, 2)).max() < 0.01 * later.mean()
+    for name in ("leastT", "leastGrainT"):
+        assert ledger[name].min() >= 300 - 1e-7
+    assert ledger["mostT"].max() <= 400 + 1e-7
+
+
+def set_temperatures(case):
+    write_T(
+        case,
+        300,
+        'left { type fixedValue; value uniform 400; } "right|bottom|top" { type zeroGradient; }'
+        " frontAndBack { type empty; }",
+    )
+    replace(case, GRAINS, "temperature 350;", "temperature 300;")
 
 
 def test_materials_have_the_conductivity_that_the_law_asks_for(clone):

@@ -111,6 +111,17 @@ def weight(case):
     (case.path / "system/fvOptions").write_text(WEIGHT)
 
 
+# The frame of a vehicle
+FRAME = """FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }
+sway { type tabulatedAccelerationSource; timeDataFileName "constant/acceleration"; }
+"""
+
+
+def frame(case):
+    (case.path / "system/fvOptions").write_text(FRAME)
+    (case.path / "constant/acceleration").write_text("((0 ((1 0 0) (0 0 0) (0 0 0))))\n")
+
+
 def other_source(case):
     (case.path / "system/fvOptions").write_text(OTHER_SOURCE)
 
@@ -582,6 +593,11 @@ TABLE = [
         "weightTwice",
         weight,
         ["system/fvOptions", "'weight'", "buoyancyForce", "constant/g"],
+    ),
+    (
+        "frameThatMoves",
+        frame,
+        ["system/fvOptions", "'sway'", "tabulatedAccelerationSource", "constant/dynamicMeshDict"],
     ),
     (
         "porosityWithoutModel",

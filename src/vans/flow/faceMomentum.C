@@ -193,9 +193,9 @@ Foam::faceMomentum::faceMomentum
     const surfaceScalarField& phiMomentum
 )
 :
-    fluidA("fluidA", UEqn.A() - grains.beta),
+    fluidA("fluidA", UEqn.A() - step.beta),
     A("A", max(fluidA, leastA(step, rho))),
-    beta(grains.beta),
+    beta(step.beta),
     share
     (
         "share",
@@ -208,7 +208,7 @@ Foam::faceMomentum::faceMomentum
         1
        /(
             max(step.alpha, exchangeFields::epsMin)*step.share
-          + grains.K*(A + grains.beta)
+          + grains.K*(A + beta)
         )
     ),
     perShare
@@ -288,15 +288,15 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::fluidFlux
 Foam::tmp<Foam::surfaceScalarField> Foam::faceMomentum::fluxWithoutPressure
 (
     const volVectorField& HbyA,
-    const volScalarField& alpha,
+    const stepCoefficients& step,
     const exchangeFields& grains
 ) const
 {
     return
         perShare
        *(
-            fvc::flux(share*perForce*A*(alpha*HbyA + grains.G))
-          + sharef*fvc::flux(perForce*(alpha*grains.b + grains.beta*grains.G))
+            fvc::flux(share*perForce*A*(step.alpha*HbyA + grains.G))
+          + sharef*fvc::flux(perForce*(step.alpha*step.b + beta*grains.G))
           + inertiaFlux
         );
 }

@@ -25,6 +25,47 @@ volScalarField shareOf(const exchangeFields& grains, const volScalarField& alpha
 }
 
 
+//- With what acts on the fluid of each cell, per volume; free patches have that of their
+//  cells
+template<class Type>
+GeometricField<Type, fvPatchField, volMesh> withSource
+(
+    const word& name,
+    const GeometricField<Type, fvPatchField, volMesh>& ofGrains,
+    const labelHashSet& freePatches,
+    const tmp<Field<Type>>& source
+)
+{
+    GeometricField<Type, fvPatchField, volMesh> sum(name, ofGrains);
+    if (source.valid())
+    {
+        sum.primitiveFieldRef() += source()/sum.mesh().V();
+        sum.correctBoundaryConditions();
+        for (const label patchi : freePatches)
+        {
+            fvPatchField<Type>& patch = sum.boundaryFieldRef()[patchi];
+            patch == patch.patchInternalField();
+        }
+    }
+    return sum;
+}
+
+
+tmp<scalarField> implicitPart(const fvVectorMatrix* sources)
+{
+    return
+        sources && sources->hasDiag()
+      ? -sources->diag()
+      : tmp<scalarField>();
+}
+
+
+tmp<vectorField> explicitPart(const fvVectorMatrix* sources)
+{
+    return sources ? -sources->source() : tmp<vectorField>();
+}
+
+
 //- Of locked cells one, of others the other
 template<class Field>
 tmp<Field> inLocked(const resolvedTerm& resolved, const Field& locked, const Field& other)
@@ -77,25 +118,34 @@ Foam::stepCoefficients::stepCoefficients
     const resolvedTerm& resolved,
     const carrier& fluid,
     const effectiveViscosity& viscosity,
-    const vansFields& fields
+    const vansFields& fields,
+    const fvVectorMatrix* sources
 )
 :
     eps("epsFloored", max(grains.fluidShare, exchangeFields::epsMin)),
     epsOpen("epsOpen", grains.fluidShare + resolved.locked()),
     alpha(alphaOf(grains)),
     share(shareOf(grains, alpha)),
-    still("still", 1/(1 + grains.K*grains.beta/(alpha*share))),
+    b(withSource("bOfStep", grains.b, grains.freePatches, explicitPart(sources))),
+    beta
+    (
+        withSource
+        (
+            "betaOfStep", grains.beta, grains.freePatches, implicitPart(sources)
+        )
+    ),
+    still("still", 1/(1 + grains.K*beta/(alpha*share))),
     bByShare
     (
         "bByShare",
-        still*(grains.b/share + grains.G*grains.beta/(alpha*share))
+        still*(b/share + grains.G*beta/(alpha*share))
     ),
     betaByShare
     (
         "betaByShare",
         resolved.leavesParts()
-      ? still*grains.beta*resolved.open()/(alpha*share)
-      : still*grains.beta/(alpha*share)
+      ? still*beta*resolved.open()/(alpha*share)
+      : still*beta/(alpha*share)
     ),
     phib
     (

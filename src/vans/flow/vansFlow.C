@@ -64,6 +64,21 @@ void refuseWeight(const fv::options& options, const fv::option& source)
 }
 
 
+//- Fatal if it is the acceleration of a frame, which grains would not have
+void refuseFrame(const fv::options& options, const fv::option& source)
+{
+    if (source.type() == "tabulatedAccelerationSource")
+    {
+        FatalIOErrorInFunction(options)
+            << "Entry '" << source.name().c_str() << "' has the type "
+            << source.type() << ": the frame of the case is at rest" << nl
+            << "    allowed: a mesh that moves, by constant/dynamicMeshDict; of a"
+            << " steady acceleration, gravity less it in constant/g"
+            << exit(FatalIOError);
+    }
+}
+
+
 //- Fatal if one of them acts on no velocity
 void requireSourcesOf(const volVectorField& U, const fv::options& options)
 {
@@ -81,6 +96,7 @@ void requireSourcesOf(const volVectorField& U, const fv::options& options)
         if (source.active())
         {
             refuseWeight(options, source);
+            refuseFrame(options, source);
             requireViscosity(options, source);
         }
     }
@@ -210,14 +226,26 @@ void Foam::vansFlow::startStep()
     }
     areFluxesOfU_ = false;
     keptFaces_.clear();
+    // Faces of resolved grains see none, and none what is not of each cell alone
+    tmp<fvVectorMatrix> bySources(sources());
+    const bool areSeen =
+        bySources.valid()
+     && !resolved_.isActive()
+     && !bySources().hasUpper()
+     && !bySources().hasLower();
     step_.reset
     (
         new stepCoefficients
         (
-            grains_, resolved_, fluid_, viscosity_, fields_
+            grains_, resolved_, fluid_, viscosity_, fields_,
+            areSeen ? &bySources() : nullptr
         )
     );
-    setMomentumEquation();
+    if (areSeen)
+    {
+        bySources.clear();
+    }
+    setMomentumEquation(bySources);
 }
 
 

@@ -135,10 +135,18 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::divTau() const
 }
 
 
-void Foam::vansFlow::setMomentumEquation()
+Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::sources()
+{
+    return
+        options_.PtrList<fv::option>::empty()
+      ? tmp<fvVectorMatrix>()
+      : options_(fluid_.rho(), fields_.U);
+}
+
+
+void Foam::vansFlow::setMomentumEquation(tmp<fvVectorMatrix>& sources)
 {
     const stepCoefficients& step = *step_;
-    const volScalarField& rho = fluid_.rho();
     volVectorField& U = fields_.U;
 
     // As fvm::ddt has them, which makes the earlier value if there is none
@@ -151,9 +159,9 @@ void Foam::vansFlow::setMomentumEquation()
           + convection()
           - fvm::laplacian(step.muf*resolved_.conductance(), U)
           - divTau()
-          + fvm::Sp(grains_.beta, U)
+          + fvm::Sp(step.beta, U)
          ==
-            grains_.b
+            step.b
         )
     );
     fvVectorMatrix& UEqn = *UEqn_;
@@ -172,11 +180,10 @@ void Foam::vansFlow::setMomentumEquation()
         // A cell whose volume changes keeps its velocity
         UEqn -= fvm::Sp(step.inertia*ddtOfOne(U), U);
     }
-    if (options_.PtrList<fv::option>::size())
+    if (sources.valid())
     {
-        tmp<fvVectorMatrix> tsources(options_(rho, U));
-        resolved_.shareSources(tsources.ref());
-        UEqn -= tsources;
+        resolved_.shareSources(sources.ref());
+        UEqn -= sources;
     }
     resolved_.addToMomentum(UEqn, step.massFlux, step.muf);
     UEqn.relax();

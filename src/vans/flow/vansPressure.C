@@ -70,14 +70,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::fluxWithoutPressure
     (
         constrainHbyA
         (
-            (H - grains_.b + (faces.A - faces.fluidA)*U)/faces.A,
+            (H - step_->b + (faces.A - faces.fluidA)*U)/faces.A,
             U,
             fields_.p_rgh
         )
     );
 
     tmp<surfaceScalarField> tflux(
-        faces.fluxWithoutPressure(HbyA, step_->alpha, grains_)
+        faces.fluxWithoutPressure(HbyA, *step_, grains_)
     );
     resolved_.correctFlux
     (
@@ -252,7 +252,7 @@ void Foam::vansFlow::addForceOfGivenVelocity(surfaceScalarField& gradient) const
             inertia
            /(
                 inCells(step_->alpha)*inCells(step_->share)
-              + inCells(grains_.K)*(inertia + inCells(grains_.beta))
+              + inCells(grains_.K)*(inertia + inCells(step_->beta))
             )
            *change;
     }

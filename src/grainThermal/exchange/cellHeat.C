@@ -5,14 +5,22 @@
 
 #include "cellHeat.H"
 
+#include "harmonic.H"
 #include "surfaceInterpolate.H"
 
-Foam::cellHeat::cellHeat(const volScalarField& openConductivity)
+Foam::cellHeat::cellHeat
+(
+    const volScalarField& openConductivity,
+    const bool inSeries
+)
 :
     coefficient(openConductivity.size(), Zero),
     given(openConductivity.size(), Zero),
     conductivity
     (
-        "conductivity", fvc::interpolate(openConductivity, "interpolate(kappa)")
+        "conductivity",
+        inSeries
+      ? harmonic(openConductivity.mesh()).interpolate(openConductivity)
+      : fvc::interpolate(openConductivity, "interpolate(kappa)")
     )
 {}

@@ -20,9 +20,11 @@ Foam::conductionAmongGrains::conductionAmongGrains(const grainSystem& grains)
 
 Foam::scalarField Foam::conductionAmongGrains::ofGrains
 (
+    const scalarField& kappa,
     const resolvedTerm& resolved
 ) const
 {
+    const scalar others = law_->nDimensions() - 1;
     const overlapList& overlaps = grains_.overlaps();
     const scalarField& V = grains_.mesh().V();
     scalarField weighted(V.size(), Zero);
@@ -45,13 +47,16 @@ Foam::scalarField Foam::conductionAmongGrains::ofGrains
         }
         for (const cellOverlap& o : overlaps.of(graini))
         {
-            weighted[o.cell] += k*o.volume/V[o.cell];
+            const scalar kFluid = kappa[o.cell];
+            weighted[o.cell] +=
+                (k - kFluid)/(k + others*kFluid)*o.volume/V[o.cell];
             volume[o.cell] += o.volume/V[o.cell];
         }
     }
     grains_.voidFraction().smooth(weighted);
     grains_.voidFraction().smooth(volume);
-    return weighted/max(volume, VSMALL);
+    const scalarField dipole(weighted/max(volume, VSMALL));
+    return kappa*(1 + others*dipole)/max(1 - dipole, SMALL);
 }
 
 
@@ -63,7 +68,7 @@ Foam::tmp<Foam::volScalarField> Foam::conductionAmongGrains::ratio
 ) const
 {
     tmp<volScalarField> result(new volScalarField("conductivityRatio", open));
-    const scalarField k(ofGrains(resolved));
+    const scalarField k(ofGrains(kappa.primitiveField(), resolved));
     scalarField& inside = result.ref().primitiveFieldRef();
     forAll(inside, celli)
     {

@@ -164,7 +164,7 @@ Foam::cellHeat Foam::grainFluidHeat::cells
     {
         others_->follow();
     }
-    cellHeat result(openConductivity_);
+    cellHeat result(openConductivity_, conduction_.isActive());
     unresolved_.add(exchange_, U, others_, result);
     resolved_.add(T, openConductivity_, fluid_, U, result);
     nodes_ = std::make_unique<heatNodes>

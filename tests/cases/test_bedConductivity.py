@@ -8,6 +8,7 @@ from grain_box import control, grain_box, lattice, replace, write_csv
 from heat_box import GRAIN_CP, GRAINS, KAPPA, fix_grains, heat_ledger, with_heat, write_T
 from sphere_box import sphere_box
 from test_carried import set_cells
+from test_heatBadInput import assert_refused
 
 SIDE = 0.1
 FLUID_TIME = 1e6 * SIDE**2 / KAPPA
@@ -178,12 +179,37 @@ def set_temperatures(case):
     replace(case, GRAINS, "temperature 350;", "temperature 300;")
 
 
-def test_materials_have_the_conductivity_that_the_law_asks_for(clone):
-    case = bed(clone, [(0.05, 0.05)], 0.0025, 10, "type Maxwell;", conductivity=None)
-    assert case.run("grainThermalFoam", check=False) != 0
-    for text in ("grainProperties", "'conductivity'", "allowed: values > 0", "material"):
-        assert text in case.log
-    assert "Time = " not in case.log
+WITHOUT = [GRAINS, "materials", "'conductivity'", "missing", "[W/m/K]"]
+UNKNOWN = [GRAINS, "conductivity", "'type'", "Bruggeman", "Maxwell ZehnerSchluender"]
+
+
+@pytest.mark.parametrize(
+    "law, words, application",
+    [
+        ("type Maxwell;", WITHOUT, "grainThermalFoam"),
+        ("type Bruggeman;", UNKNOWN, "grainThermalFoam"),
+        ("type Bruggeman;", UNKNOWN, "checkGrains"),
+    ],
+)
+def test_laws_and_conductivities_that_are_not_there_are_told(clone, law, words, application):
+    case = bed(clone, [(0.05, 0.05)], 0.0025, 10, law, conductivity=None)
+    assert_refused(case, words, application)
+
+
+@pytest.mark.parametrize(
+    "law, lacks", [(None, "heatCapacity"), ("type Maxwell;", "conductivity")]
+)
+def test_grains_to_come_have_what_heat_asks_for(clone, law, lacks):
+    """Before the first step, not when they come."""
+    case = bed(clone, [], 0.0025, 10, law)
+    has = {"heatCapacity": "conductivity 1;", "conductivity": "heatCapacity 800;"}[lacks]
+    replace(case, GRAINS, "materials\n{", f"materials\n{{\n    clay {{ density 2000; {has} }}\n")
+    where = "type box; box (0.01 0.06 0) (0.09 0.09 0.01); seed 3; numberRate 1;"
+    sizes = "distribution { type constant; radius 2e-3; }"
+    feed = f"feed {{ material clay; temperature 300; {where} {sizes} }}"
+    file = case.path / GRAINS
+    file.write_text(f"{file.read_text()}\ninjections {{ {feed} }}\n")
+    assert_refused(case, [GRAINS, "clay", f"'{lacks}'", "missing"])
 
 
 def test_a_solver_without_heat_refuses_the_law(clone):

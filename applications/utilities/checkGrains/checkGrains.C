@@ -26,6 +26,7 @@ Description
 #include "dictionaryInput.H"
 #include "BiotNumbers.H"
 #include "dragLaw.H"
+#include "effectiveConductivity.H"
 #include "flowRegimes.H"
 #include "fluidInput.H"
 #include "functionOfTemperature.H"
@@ -117,6 +118,8 @@ void printTimeStepInFluid
     printTimeStep(properties, grains, alone);
     if (properties.dict().found("heat"))
     {
+        // Fatal for what solvers refuse
+        effectiveConductivity::New(properties.coupling(), D);
         printBiotNumbers(properties, grains, alone, transport, mu);
     }
 }

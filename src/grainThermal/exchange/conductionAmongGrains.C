@@ -5,6 +5,9 @@
 
 #include "conductionAmongGrains.H"
 
+#include "dictionaryInput.H"
+#include "heatDimensions.H"
+
 Foam::conductionAmongGrains::conductionAmongGrains(const grainSystem& grains)
 :
     grains_(grains),
@@ -15,7 +18,23 @@ Foam::conductionAmongGrains::conductionAmongGrains(const grainSystem& grains)
             grains.motion().coupling(), grains.mesh().nGeometricD()
         )
     )
-{}
+{
+    if (!isActive())
+    {
+        return;
+    }
+    const dictionary& materials =
+        grains.motion().coupling().parent().subDict("materials");
+    for (const word& name : materials.toc())
+    {
+        // Those of grains have a heat capacity
+        const dictionary& material = materials.subDict(name);
+        if (material.found("heatCapacity"))
+        {
+            dictionaryInput::getPositive(material, "conductivity", dimConductivity);
+        }
+    }
+}
 
 
 Foam::scalarField Foam::conductionAmongGrains::ofGrains
@@ -36,15 +55,6 @@ Foam::scalarField Foam::conductionAmongGrains::ofGrains
             continue;
         }
         const scalar k = grains_.temperatures().conductivity(graini);
-        if (k <= 0)
-        {
-            FatalIOErrorInFunction(grains_.motion().coupling())
-                << "Keyword 'conductivity' is missing in the material of grain "
-                << graini << " of " << grains_.size() << nl
-                << "    allowed: values > 0 [W/m/K], in each material of grains,"
-                << " as the law of 'conductivity' in 'coupling' asks for it"
-                << exit(FatalIOError);
-        }
         for (const cellOverlap& o : overlaps.of(graini))
         {
             const scalar kFluid = kappa[o.cell];

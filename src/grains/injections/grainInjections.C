@@ -6,6 +6,7 @@
 #include "grainInjections.H"
 
 #include "dictionaryInput.H"
+#include "heatDimensions.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 
@@ -75,7 +76,18 @@ void Foam::grainInjections<D>::check
         {
             properties_.materials().checkPair(injections_[i].material(), other);
         }
-        if (conducts && injections_[i].temperature() <= 0)
+        if (!conducts)
+        {
+            continue;
+        }
+        const word& material =
+            properties_.materials().names()[injections_[i].material()];
+        dictionaryInput::getPositive
+        (
+            properties_.dict().subDict("materials").subDict(material),
+            "heatCapacity", dimHeatCapacity
+        );
+        if (injections_[i].temperature() <= 0)
         {
             dictionaryInput::badValue
             (

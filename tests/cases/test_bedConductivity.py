@@ -179,7 +179,7 @@ def set_temperatures(case):
     replace(case, GRAINS, "temperature 350;", "temperature 300;")
 
 
-WITHOUT = [GRAINS, "materials", "'conductivity'", "missing", "[W/m/K]"]
+WITHOUT = [GRAINS, "materials", "'conductivity'", "missing", "[1 1 -3 -1 0 0 0]"]
 UNKNOWN = [GRAINS, "conductivity", "'type'", "Bruggeman", "Maxwell ZehnerSchluender"]
 
 
@@ -202,6 +202,9 @@ def test_laws_and_conductivities_that_are_not_there_are_told(clone, law, words, 
 def test_grains_to_come_have_what_heat_asks_for(clone, law, lacks):
     """Before the first step, not when they come."""
     case = bed(clone, [], 0.0025, 10, law)
+    replace(case, GRAINS, "motion fixed;", "")
+    pairs = "default { type Coulomb; friction 0.3; }"
+    replace(case, GRAINS, "contactLaws\n{", f"contactLaws\n{{ {pairs}")
     has = {"heatCapacity": "conductivity 1;", "conductivity": "heatCapacity 800;"}[lacks]
     replace(case, GRAINS, "materials\n{", f"materials\n{{\n    clay {{ density 2000; {has} }}\n")
     where = "type box; box (0.01 0.06 0) (0.09 0.09 0.01); seed 3; numberRate 1;"

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The grainFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What beds at rest of two materials conduct, beds in layers, and beds whose rows lie on faces."""
+"""What beds at rest of two materials conduct, and beds in layers."""
 
 import numpy as np
 import pytest
-from grain_box import lattice, replace
+from grain_box import replace
 from heat_box import GRAIN_CP, GRAINS, KAPPA
 from test_bedConductivity import SIDE, bed, conductivity, disordered, maxwell
 
@@ -60,29 +60,3 @@ def test_a_layer_conducts_in_series_with_its_fluid(clone):
     case = bed(clone, centres[centres[:, 0] < SIDE / 2], radius, 4, LAW, BETTER * KAPPA)
     exact = 2 / (1 / maxwell(PHI, BETTER) + 1)
     assert conductivity(case, 30, 300) == pytest.approx(exact, rel=1e-7)
-
-
-@pytest.mark.parametrize("shift", [0, 1e-9, 2e-5, 1e-4])
-def test_columns_with_their_middles_on_faces_hand_no_heat_on(clone, shift):
-    """Every second one; 6.6 times the fluid's part, if they did."""
-    centres = lattice(19, 20, SIDE / 20, (SIDE / 20 + shift, SIDE / 40))
-    radius = 0.0022
-    found = conductivity(bed(clone, centres, radius, 10), 30, 200)
-    phi = len(centres) * np.pi * radius**2 / SIDE**2
-    # In the two outermost columns of cells there are fewer grains; 2 % of what they would hand on
-    assert found == pytest.approx(1 - phi, rel=0.15)
-
-
-@pytest.mark.parametrize("cells", [10, 20])
-def test_a_hexagonal_packing_hands_little_heat_on(clone, cells):
-    """In cells of two diameters and one; 1.33 and 1.22 times the fluid, 0.164 is its part."""
-    radius, d = 0.00249, SIDE / 20
-    rows = [
-        (d / 2 * (1 + j % 2) + i * d, d / 2 + j * d * 3**0.5 / 2)
-        for j in range(22)
-        for i in range(20 - j % 2)
-    ]
-    found = conductivity(bed(clone, rows, radius, cells), steps=100)
-    phi = len(rows) * np.pi * radius**2 / SIDE**2
-    # Hardly any fluid beside what they pass on: a twentieth of 1.1
-    assert found == pytest.approx(1 - phi, abs=0.06)

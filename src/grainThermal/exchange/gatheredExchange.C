@@ -15,18 +15,9 @@ using namespace Foam;
 //- m in cells of h/d of a grain in a bed
 scalar powerIn(const scalar hOverD)
 {
-    constexpr scalar most = 64, none = 0.7, all = 1;
+    constexpr scalar most = 32, none = 0.7, all = 1;
     const scalar part = (hOverD - none)/(all - none);
     return 1 + (most - 1)*min(max(part, scalar(0)), scalar(1));
-}
-
-//- Logarithm by which one of two equal parts of a grain, of the centroids a and -a
-//  from its centre, is preferred, over m - 1
-scalar preference(const vector& a)
-{
-    static const vector direction(0.62, 0.58, 0.53);
-    constexpr scalar strength = 5.0/63;
-    return strength*(direction & a)/max(mag(a), VSMALL);
 }
 
 }
@@ -74,9 +65,7 @@ void Foam::gatherExchange
         const scalar m =
             lone[graini]
           + (1 - lone[graini])*powerIn(h/grains.fluidDiameter(graini));
-        return
-            std::pow(conductance[o.index]/whole[graini], m)
-           *std::exp((m - 1)*preference(o.arm));
+        return std::pow(conductance[o.index]/whole[graini], m);
     };
     scalarField sum(grains.size(), Zero);
     forOverlaps

@@ -116,9 +116,10 @@ void printTimeStepInFluid
         properties.space().cellSizeRange().first(), D == 3
     );
     printTimeStep(properties, grains, alone);
+    // Fatal for what solvers refuse
+    effectiveConductivity::New(properties.coupling(), D, "diffusivity");
     if (properties.dict().found("heat"))
     {
-        // Fatal for what solvers refuse
         effectiveConductivity::New(properties.coupling(), D);
         printBiotNumbers(properties, grains, alone, transport, mu);
     }

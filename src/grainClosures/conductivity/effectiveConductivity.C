@@ -19,15 +19,16 @@ namespace Foam
 Foam::autoPtr<Foam::effectiveConductivity> Foam::effectiveConductivity::New
 (
     const dictionary& coupling,
-    const label nDimensions
+    const label nDimensions,
+    const word& keyword
 )
 {
     dictionary deflt;
     deflt.add("type", "none");
 
     const dictionary& dict =
-        coupling.found("conductivity")
-      ? dictionaryInput::subDict(coupling, "conductivity")
+        coupling.found(keyword)
+      ? dictionaryInput::subDict(coupling, keyword)
       : deflt;
 
     autoPtr<effectiveConductivity> law

@@ -7,15 +7,16 @@
 
 #include "dictionaryInput.H"
 #include "meanOverGrains.H"
-#include "surfaceInterpolate.H"
 
 Foam::vapour::vapour
 (
     const fvMesh& mesh,
-    const singleFluid& fluid
+    const singleFluid& fluid,
+    const diffusionAmongGrains& diffusion
 )
 :
     fluid_(fluid),
+    diffusion_(diffusion),
     D_("D", dimViscosity, 0)
 {
     if (!fluid.properties().found("vapour"))
@@ -104,7 +105,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vapour::diffusivity
     const volScalarField& open
 ) const
 {
-    return fvc::interpolate(open*fluid_.diffusivity(D_));
+    tmp<surfaceScalarField> tresult(D_*diffusion_.onFaces(open));
+    fluid_.addTurbulence(tresult.ref(), open);
+    return tresult;
 }
 
 

@@ -80,8 +80,9 @@ void Foam::grainProperties<D>::check() const
             coupling(),
             {
                 "packingRatio", "coarseGraining", "motion", "form", "voidFraction",
-                "drag", "viscosity", "conductivity", "heatTransfer", "addedMass", "lift",
-                "undisturbedFlow", "resolvedGrains", "lubrication"
+                "drag", "viscosity", "conductivity", "diffusivity",
+                "heatTransfer", "addedMass", "lift", "undisturbedFlow",
+                "resolvedGrains", "lubrication"
             }
         );
     }

@@ -74,10 +74,12 @@ Foam::carriedFields::carriedFields
 (
     const vansFields& fields,
     const volScalarField& eps,
+    const diffusionAmongGrains& diffusion,
     singleFluid& fluid,
     const bool isMore
 )
 :
+    diffusion_(diffusion),
     flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh),
     fluid_(&fluid),
     hasMass_(true),
@@ -97,9 +99,11 @@ Foam::carriedFields::carriedFields
 (
     const vansFields& fields,
     const volScalarField& eps,
+    const diffusionAmongGrains& diffusion,
     const dictionary& transportProperties
 )
 :
+    diffusion_(diffusion),
     flux_(eps, fvc::interpolate(eps)*fields.phiU, fields.p_rgh, true),
     fluid_(nullptr),
     hasMass_(false),
@@ -189,20 +193,16 @@ void Foam::carriedFields::carry
     }
     forAll(scalars_, i)
     {
-        const dimensionedScalar D("D", dimViscosity, D_[i]);
+        surfaceScalarField conductivity
+        (
+            dimensionedScalar("D", dimViscosity, D_[i])
+           *diffusion_.onFaces(flux_.fraction())
+        );
         if (turbulence_)
         {
-            scalars_[i].carry
-            (
-                flux_,
-                fvc::interpolate(flux_.fraction()*fluid_->diffusivity(D)),
-                cellExchange()
-            );
+            fluid_->addTurbulence(conductivity, flux_.fraction());
         }
-        else
-        {
-            scalars_[i].carry(flux_, D);
-        }
+        scalars_[i].carry(flux_, conductivity);
     }
     if (hasMass_ && makesRoom_)
     {

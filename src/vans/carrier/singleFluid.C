@@ -226,17 +226,14 @@ void Foam::singleFluid::setTurbulence(const volScalarField& nut)
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::singleFluid::diffusivity
+void Foam::singleFluid::addTurbulence
 (
-    const dimensionedScalar& D
+    surfaceScalarField& conductivity,
+    const volScalarField& open
 ) const
 {
     if (nut_)
     {
-        return D + *nut_/Sct_;
+        conductivity += fvc::interpolate(open*(*nut_/Sct_));
     }
-    return tmp<volScalarField>
-    (
-        new volScalarField(IOobject("D", rho_.instance(), rho_.mesh()), rho_.mesh(), D)
-    );
 }

@@ -153,16 +153,6 @@ void Foam::fluidScalar::addOutflow
 }
 
 
-void Foam::fluidScalar::carry
-(
-    const transportFlux& flux,
-    const dimensionedScalar& D
-)
-{
-    carry(flux, D*fvc::interpolate(flux.fraction()));
-}
-
-
 Foam::fvScalarMatrix Foam::fluidScalar::transport
 (
     const surfaceScalarField& flux,

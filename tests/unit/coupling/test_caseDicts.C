@@ -84,6 +84,7 @@ TEST(CaseDicts, OfHeatTransferAreAccepted)
     const autoPtr<heatLaw> law(heatLaw::New(coupling.subDict("heatTransfer"), 2));
     EXPECT_EQ(law->type(), "Henry");
     EXPECT_EQ(effectiveConductivity::New(coupling, 2)->type(), "ZehnerSchluender");
+    EXPECT_EQ(effectiveConductivity::New(coupling, 2, "diffusivity")->type(), "Maxwell");
 
     // Its comment names every law
     std::stringstream text;

@@ -249,7 +249,7 @@ TEST_P(Carried, IsKeptAndBounded)
         moveGrain();
         setEps(eps);
         flux.set(share, none);
-        dye.carry(flux, D);
+        dye.carry(flux, D*fvc::interpolate(flux.fraction()));
 
         ASSERT_LE(flux.defect(), 1e-12);
         worst = max(worst, mag(dye.unaccounted())/amount);

@@ -199,7 +199,7 @@ void ContactDynamics<D>::Implementation::land(double dt)
 {
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
-        const Flyer<D>& f = flyers_[candidates_.place()[i]];
+        Flyer<D>& f = flyers_[candidates_.place()[i]];
         if (f.impacts == 0)
         {
             continue;
@@ -212,21 +212,33 @@ void ContactDynamics<D>::Implementation::land(double dt)
         free_.velocity[i] = f.body.velocity;
         free_.spin[i] += spinChange;
         grains_.position[i] += f.offset;
-        grains_.orientation[i] = turned(grains_.orientation[i], Spin<D>(toSpin(f.turned) / r), 1);
+        const Orientation<D> before = grains_.orientation[i];
+        grains_.orientation[i] = turned(before, Spin<D>(toSpin(f.turned) / r), 1);
+        if (grains_.shape[i] >= 0)
+        {
+            free_.spin[i] = carried(free_.spin[i], before, grains_.orientation[i]);
+            f.body.surfaceSpeed = surfaceSpeed<D>(free_.spin[i], r);
+        }
     }
     std::size_t k = grains_.size();
     for (WallBody<D>& wall : wallBodies_)
     {
         if (isFree(wall))
         {
-            const Flyer<D>& f = flyers_[k++];
+            Flyer<D>& f = flyers_[k++];
             if (f.impacts > 0)
             {
                 const FreeWall<D> free(wall, dt);
+                const Orientation<D> before = wall.orientation;
+                wall.orientation = turned(before, toSpin(f.turned), 1);
+                if (isFinite(wall.inertia))
+                {
+                    f.body.surfaceSpeed =
+                        toTangent(carried(toSpin(f.body.surfaceSpeed), before, wall.orientation));
+                }
                 wall.velocity += f.body.velocity - free.velocity;
                 wall.spin += toSpin(f.body.surfaceSpeed) - free.spin;
                 wall.position += f.offset;
-                wall.orientation = turned(wall.orientation, toSpin(f.turned), 1);
             }
         }
     }

@@ -173,7 +173,8 @@ private:
     /// Are the flights within what the candidates cover?  If not, gives what would cover them.
     bool flightsAreCovered(double dt, Reach& wanted) const;
 
-    /// Take over velocities and offsets of the flights.
+    /// Take over velocities and offsets of the flights.  Impacts have the moments of inertia of the beginning: the spin
+    /// that they leave goes along with the body from there, so that it has their energy.
     void land(double dt);
 
     /// Arrange bodies that had impacts where their flight would end (see BodyData).

@@ -62,3 +62,32 @@ def test_stratified_fluid_stays_at_rest_among_grains(clone, mesh, bound):
     assert heat_ledger(case)["fluidError"].max() <= 1e-12
     p = case.field("p_rgh")
     np.testing.assert_allclose(p - p[0], hydrostatic - hydrostatic[0], rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("value", [300, 1000])
+def test_warm_fluid_rests_beside_an_open_side(clone, value):
+    """T there is that of the cells from the first step on, whatever stands as 'value': with
+    the weight that 1000 K would have, the fluid had 0.07 m/s after five steps."""
+    case = grain_box(clone, CENTRES, 0.004)
+    begin = "right\n    {\n        type    "
+    replace(case, "system/blockMeshDict", begin + "wall", begin + "patch")
+    case.run("blockMesh")
+    side = f"right {{ type inletOutlet; inletValue uniform 320; value uniform {value}; }}"
+    walls = '"left|bottom|top"'
+    with_heat(
+        case,
+        T=320,
+        grains=320,
+        fluid=f"Cp 1000; kappa 0.6; beta {EXPANSION}; TRef 300;",
+        patches=f"{side} {walls} {{ type zeroGradient; }}",
+    )
+    fix_grains(case)
+    patches = '"left|right|bottom|top"'
+    velocity = "right { type pressureInletOutletVelocity; value uniform (0 0 0); }"
+    replace(case, "0/U", patches, f"{velocity} {walls}")
+    replace(case, "0/p_rgh", "zeroGradient", "fixedFluxPressure; value uniform 0")
+    pressure = "right { type fixedValue; value uniform 0; }"
+    replace(case, "0/p_rgh", patches, f"{pressure} {walls}")
+    control(case, deltaT=1e-2, endTime=0.05, writeInterval=5)
+    case.run("grainThermalFoam")
+    assert np.abs(case.field("U")).max() <= 1e-10

@@ -5,7 +5,6 @@
 
 #include "twoFluids.H"
 
-#include "coupledPatches.H"
 #include "fvc.H"
 #include "upwind.H"
 
@@ -40,7 +39,9 @@ Foam::twoFluids::twoFluids
     {
         weight_.requireLevelPeriods();
     }
-    evaluateCoupled(alpha());
+    // The first pressure has the density at patches that they give, not that of a
+    // 'value' in the file, which may be any
+    alpha().correctBoundaryConditions();
     correct();
 }
 

@@ -5,7 +5,9 @@
 
 #include "twoFluids.H"
 
+#include "coupledPatches.H"
 #include "fvc.H"
+#include "missingFields.H"
 #include "upwind.H"
 
 Foam::twoFluids::twoFluids
@@ -39,9 +41,13 @@ Foam::twoFluids::twoFluids
     {
         weight_.requireLevelPeriods();
     }
-    // The first pressure has the density at patches that they give, not that of a
-    // 'value' in the file, which may be any
-    alpha().correctBoundaryConditions();
+    evaluateCoupled(alpha());
+    if (!isThere(mesh_, "phi"))
+    {
+        // The first pressure has the density at patches that they give, not that
+        // of a 'value' in the file, which may be any
+        alpha().correctBoundaryConditions();
+    }
     correct();
 }
 

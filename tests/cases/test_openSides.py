@@ -42,15 +42,16 @@ def faces(below, above):
     return f"nonuniform List<scalar> {N} ({' '.join(map(repr, values))})"
 
 
-@pytest.mark.parametrize("value", [0, 1])
-def test_a_pool_rests_beside_an_open_side(clone, value):
+@pytest.mark.parametrize(("value", "flux"), [(0, ""), (1, ""), (1, "phi phiFluid;")])
+def test_a_pool_rests_beside_an_open_side(clone, value, flux):
     """Hydrostatic pressure there. With the density of the value water had 0.26 m/s after one
-    step, and air 690 m/s."""
+    step, and air 690 m/s. Conditions may go by the flux that carries."""
     case = tank(clone, ["right"], f"right {{ {OPEN} }}")
     head = faces((WATER - AIR) * 9.81 * HEIGHT, 0.0)
     ends = f"right {{ type fixedValue; value {head}; }} top {{ type fixedValue; value uniform 0; }}"
     replace(case, "0/p_rgh", WALLS, ends + ' "left|bottom"')
-    side = f"right {{ type inletOutlet; inletValue {faces(1, 0)}; value uniform {value}; }}"
+    share = f"{flux} inletValue {faces(1, 0)}; value uniform {value};"
+    side = f"right {{ type inletOutlet; {share} }}"
     replace(case, "0/alpha.water", WALLS, f'{side} {AIR_ABOVE} "left|bottom"')
     control(case, deltaT=1e-3, endTime=0.02, writeInterval=20)
     case.run("grainInterFoam")

@@ -45,7 +45,9 @@ Foam::twoFluids::twoFluids
     if (!isThere(mesh_, "phi"))
     {
         // The first pressure has the density at patches that they give, not that
-        // of a 'value' in the file, which may be any
+        // of a 'value' in the file, which may be any; the flux that carries, by
+        // which they may go, is made later
+        const surfaceScalarField phiFluid("phiFluid", phiU);
         alpha().correctBoundaryConditions();
     }
     correct();

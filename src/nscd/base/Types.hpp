@@ -24,6 +24,9 @@ template <int D>
 using Vectors = std::vector<Vector<D>>;
 
 template <int D>
+using SpinMatrix = Eigen::Matrix<double, Spin<D>::RowsAtCompileTime, Spin<D>::RowsAtCompileTime>;
+
+template <int D>
 using Spins = std::vector<Spin<D>>;
 
 /// A force [N] and a torque [N m] of each grain.

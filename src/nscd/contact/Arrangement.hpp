@@ -146,6 +146,9 @@ public:
         return arm_.empty() ? toContact : Vector<D>(arm_[pair.second] + toContact);
     }
 
+    /// From the centre of a member's body to its own [m].
+    Vector<D> arm(int member) const { return arm_.empty() ? Vector<D>(Vector<D>::Zero()) : arm_[member]; }
+
     /// The point in the middle of an overlap [m], seen from a wall if it is one; across a gap the point on the first
     /// one's surface, or on the wall's.
     Vector<D> contactPoint(const Pair& pair, const Approach<D>& approach) const
@@ -155,6 +158,9 @@ public:
         const double beyond = approach.gap < 0 ? 0.5 * approach.gap : pair.second < 0 ? approach.gap : 0;
         return centre + (radius_[pair.first] + beyond) * approach.normal;
     }
+
+    /// Radius of a member [m].
+    double radiusOf(int member) const { return radius_[member]; }
 
     /// Is one of the pair part of a cluster?  A member at the centre of mass is: it turns with the cluster's inertia.
     bool isOfCluster(const Pair& pair) const

@@ -9,9 +9,6 @@
 namespace nscd
 {
 
-template <int D>
-using SpinMatrix = Eigen::Matrix<double, Spin<D>::RowsAtCompileTime, Spin<D>::RowsAtCompileTime>;
-
 /// How a body turns: its spin is held as surfaceSpeed = length * spin, and answers an angular impulse H with
 /// surfaceSpeed += inverse * H / length.
 template <int D>

@@ -55,6 +55,7 @@ void ContactDynamics<D>::Implementation::launch(double dt)
     flyers_.assign(candidates_.fixedBody() + 1, {});
     launches_.assign(candidates_.fixedBody() + 1, {});
     data_.turning.resize(levered_ ? grains_.size() : 0);
+    data_.inertia.assign(data_.turning.size(), Spin<D>::Zero());
     for (std::size_t i = 0; i < grains_.size(); ++i)
     {
         const int k = candidates_.place()[i];
@@ -67,6 +68,8 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         {
             launches_[k].turned =
                 grains_.radius[i] * turnBetween(grains_.orientation[i], candidates_.orientations()[i]);
+            flyers_[k].orientation = grains_.orientation[i];
+            data_.inertia[k] = heavinessOfTurning(i) * grains_.mass[i] * shapeInertia(grains_, i);
         }
         if (levered_)
         {
@@ -81,9 +84,11 @@ void ContactDynamics<D>::Implementation::launch(double dt)
         {
             const FreeWall<D> free(wall, dt);
             flyers_[k].body = {free.velocity, surfaceSpeed<D>(free.spin, 1), 1 / wall.mass, 0};
+            flyers_[k].orientation = wall.orientation;
             launches_[k].push = free.velocity - wall.velocity;
             launches_[k].drift = wall.position - candidateWalls_[b].position;
             data_.turning.push_back(free.turning);
+            data_.inertia.push_back(wall.inertia);
             ++k;
         }
     }
@@ -206,17 +211,25 @@ void ContactDynamics<D>::Implementation::land(double dt)
         }
         const double r = grains_.radius[i];
         const Vector<D> change = f.body.velocity - free_.velocity[i];
-        const Spin<D> spinChange = toSpin(Tangent<D>(f.body.surfaceSpeed - surfaceSpeed<D>(free_.spin[i], r))) / r;
         contactImpulse_[i] += heaviness_[i] * grains_.mass[i] * change;
-        contactSpinImpulse_[i] += heavinessOfTurning(i) * angularMomentum<D>(grains_, i, spinChange);
         free_.velocity[i] = f.body.velocity;
-        free_.spin[i] += spinChange;
         grains_.position[i] += f.offset;
-        const Orientation<D> before = grains_.orientation[i];
-        grains_.orientation[i] = turned(before, Spin<D>(toSpin(f.turned) / r), 1);
-        if (grains_.shape[i] >= 0)
+        if (grains_.shape[i] < 0)
         {
-            free_.spin[i] = carried(free_.spin[i], before, grains_.orientation[i]);
+            const Spin<D> spinChange =
+                toSpin(Tangent<D>(f.body.surfaceSpeed - surfaceSpeed<D>(free_.spin[i], r))) / r;
+            contactSpinImpulse_[i] += angularMomentum<D>(grains_, i, spinChange);
+            free_.spin[i] += spinChange;
+            grains_.orientation[i] = turned(grains_.orientation[i], Spin<D>(toSpin(f.turned) / r), 1);
+        }
+        else
+        {
+            const Spin<D> before = angularMomentum<D>(grains_, i, free_.spin[i]);
+            free_.spin[i] = toSpin(f.body.surfaceSpeed) / r;
+            grains_.orientation[i] = f.orientation;
+            turn(grains_.orientation[i], free_.spin[i], shapeInertia(grains_, i), -f.since);
+            contactSpinImpulse_[i] +=
+                heavinessOfTurning(i) * (angularMomentum<D>(grains_, i, free_.spin[i]) - before);
             f.body.surfaceSpeed = surfaceSpeed<D>(free_.spin[i], r);
         }
     }
@@ -228,16 +241,13 @@ void ContactDynamics<D>::Implementation::land(double dt)
             Flyer<D>& f = flyers_[k++];
             if (f.impacts > 0)
             {
+                Spin<D> spin = toSpin(f.body.surfaceSpeed);
+                wall.orientation = f.orientation;
+                turn(wall.orientation, spin, wall.inertia, -f.since);
+                f.body.surfaceSpeed = toTangent(spin);
                 const FreeWall<D> free(wall, dt);
-                const Orientation<D> before = wall.orientation;
-                wall.orientation = turned(before, toSpin(f.turned), 1);
-                if (isFinite(wall.inertia))
-                {
-                    f.body.surfaceSpeed =
-                        toTangent(carried(toSpin(f.body.surfaceSpeed), before, wall.orientation));
-                }
                 wall.velocity += f.body.velocity - free.velocity;
-                wall.spin += toSpin(f.body.surfaceSpeed) - free.spin;
+                wall.spin += spin - free.spin;
                 wall.position += f.offset;
             }
         }
@@ -259,7 +269,8 @@ void ContactDynamics<D>::Implementation::placeAtEnds(double dt)
             positions[i] += dt * free_.velocity[i];
             if (grains_.shape[i] >= 0)
             {
-                orientations[i] = turned(orientations[i], free_.spin[i], dt);
+                Spin<D> spin = free_.spin[i];
+                turn(orientations[i], spin, shapeInertia(grains_, i), dt);
             }
         }
     }
@@ -276,7 +287,8 @@ void ContactDynamics<D>::Implementation::placeAtEnds(double dt)
             {
                 data_.ahead[k] = flyers_[k].body;
                 wall.position += dt * flyers_[k].body.velocity;
-                wall.orientation = turned(wall.orientation, toSpin(flyers_[k].body.surfaceSpeed), dt);
+                wall.spin = toSpin(flyers_[k].body.surfaceSpeed);
+                turn(wall, dt);
                 wallsHit = true;
             }
             ++k;

@@ -173,8 +173,8 @@ private:
     /// Are the flights within what the candidates cover?  If not, gives what would cover them.
     bool flightsAreCovered(double dt, Reach& wanted) const;
 
-    /// Take over velocities and offsets of the flights.  Impacts have the moments of inertia of the beginning: the spin
-    /// that they leave goes along with the body from there, so that it has their energy.
+    /// Take over velocities and offsets of the flights.  What is not round turns back to the beginning from its last
+    /// impact, freely: the step that turns it on keeps the angular momentum and the energy that impacts have left.
     void land(double dt);
 
     /// Arrange bodies that had impacts where their flight would end (see BodyData).

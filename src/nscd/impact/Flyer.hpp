@@ -20,6 +20,10 @@ struct alignas(64) Flyer
     Body<D> body;
     Tangent<D> turned = zeroTangent<D>();       ///< the offset of the way of its surface [m]
     double farthest = 0;                        ///< from the place where candidates were listed, at impacts [m]
+
+    // Of what is not round: its orientation, and the time at which it has this one and its body's spin [s]
+    double since = 0;
+    Orientation<D> orientation = Orientation<D>::Identity();
 };
 
 /// What acts on a body in a sub-step, and where it is.

@@ -128,22 +128,26 @@ void Impacts<D>::addLever(const Item& item, Details& details, const Pair& pair, 
                           const std::vector<Flyer<D>>& flyers)
 {
     details.lever = static_cast<int>(levers_.size());
-    LeveredContact<D>& c = levers_.emplace_back();
-    c.i = item.i;
-    c.j = item.j;
-    c.frame = contactFrame(details.normal);
-    c.turningI = data_.turning[c.i];
-    c.armI = arrangement_.firstArm(pair, approach) / c.turningI.length;
-    c.armJ.setZero();
-    if (c.j < candidates_.fixedBody())
+    Lever& lever = levers_.emplace_back();
+    lever.isWall = pair.second < 0;
+    lever.radius = arrangement_.radiusOf(pair.first);
+    lever.touching = lever.isWall ? lever.radius : arrangement_.sumOfRadii(pair);
+    lever.lengthFirst = data_.turning[item.i].length;
+    lever.lengthSecond = item.j < candidates_.fixedBody() ? data_.turning[item.j].length : 1;
+    lever.startFirst = arrangement_.arm(pair.first);
+    lever.startSecond.setZero();
+    if (!lever.isWall)
     {
-        c.turningJ = data_.turning[c.j];
-        const Vector<D> arm = pair.second >= 0 ? arrangement_.secondArm(pair, approach)
-                                               : Vector<D>(arrangement_.contactPoint(pair, approach) -
-                                                           wallBodies_[arrangement_.wallBody(~pair.second)].position);
-        c.armJ = arm / c.turningJ.length;
+        lever.startSecond = arrangement_.arm(pair.second);
     }
-    assemble(c, normalW(flyers[c.i].body, flyers[c.j].body));
+    else if (item.j < candidates_.fixedBody())
+    {
+        const Vector<D> onWall =
+            arrangement_.contactPoint(pair, approach) + std::min(0.0, 0.5 * approach.gap) * approach.normal;
+        lever.startSecond = onWall - wallBodies_[arrangement_.wallBody(~pair.second)].position;
+    }
+    lever.first = flyers[item.i].orientation.inverse() * lever.startFirst;
+    lever.second = flyers[item.j].orientation.inverse() * lever.startSecond;
 }
 
 template <int D>

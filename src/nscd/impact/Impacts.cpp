@@ -37,7 +37,10 @@ void Impacts<D>::work(int group, std::vector<Flyer<D>>& flyers, double until)
         {
             continue;
         }
-        collide(event.item, flyers, energy);
+        if (!collide(event.item, flyers, energy))
+        {
+            continue;
+        }
         for (const int body : {item.i, item.j})
         {
             if (body >= candidates_.fixedBody())
@@ -91,10 +94,10 @@ double Impacts<D>::predictFlat(const Item& item, const Flyer<D>& a, const Flyer<
     double speed = 0, gap = details.gap;
     if (details.lever >= 0)
     {
-        const LeveredContact<D>& c = levers_[details.lever];
-        speed = -normalVelocity(c, a.body, b.body);
-        gap += (b.offset - a.offset + spinVelocity(b.turned, c.armJ) - spinVelocity(a.turned, c.armI))
-                   .dot(details.normal);
+        const Lever& lever = levers_[details.lever];
+        const Course course = courseOf(lever, a, b);
+        speed = -course.velocity.dot(details.normal);
+        gap += course.separation.dot(details.normal);
     }
     else
     {
@@ -142,14 +145,30 @@ double Impacts<D>::predictRound(const Item& item, const Flyer<D>& a, const Flyer
 }
 
 template <int D>
-void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& energy)
+bool Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& energy)
 {
     Item& item = items_[k];
     Details& details = details_[k];
     Flyer<D>&a = flyers[item.i], &b = flyers[item.j];
+    LeveredContact<D> c;
+    if (details.lever >= 0)
+    {
+        turnTo(details.met, item.i, a);
+        turnTo(details.met, item.j, b);
+        c = leveredContact(item, details, a, b);
+        if (normalVelocity(c, a.body, b.body) + gainedBy(item, details.met).dot(c.normal()) >= 0)
+        {
+            item.time = never;
+            return false;
+        }
+    }
+    else if (details.law->rolling > 0)
+    {
+        c = roundContact(item, details, a, b);
+    }
     const Body<D> beforeA = a.body, beforeB = b.body;
-    energy += details.law->rolling > 0 ? collideRolling(item, details, a, b)
-              : details.lever >= 0     ? collideLevered(item, details, a, b)
+    energy += details.law->rolling > 0 ? collideRolling(item, details, c, a, b)
+              : details.lever >= 0     ? collideLevered(item, details, c, a, b)
                                        : collidePlain(item, details, a, b);
     divert(item.i, flyers, beforeA, details.met, item.time);
     divert(item.j, flyers, beforeB, details.met, item.time);
@@ -160,6 +179,7 @@ void Impacts<D>::collide(std::size_t k, std::vector<Flyer<D>>& flyers, double& e
         ++exhausted_;
         item.slow = never;
     }
+    return true;
 }
 
 template <int D>
@@ -196,9 +216,9 @@ double Impacts<D>::collidePlain(const Item& item, Details& details, Flyer<D>& a,
 }
 
 template <int D>
-double Impacts<D>::collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
+double Impacts<D>::collideLevered(const Item& item, Details& details, const LeveredContact<D>& c, Flyer<D>& a,
+                                  Flyer<D>& b)
 {
-    const LeveredContact<D>& c = levers_[details.lever];
     const Vector<D> more = gainedBy(item, details.met);
     const Vector<D> velocity = c.frame.transpose() * Vector<D>(relativeVelocity(c, a.body, b.body) + more);
     const Vector<D> r =
@@ -232,9 +252,9 @@ LeveredContact<D> Impacts<D>::roundContact(const Item& item, const Details& deta
 }
 
 template <int D>
-double Impacts<D>::collideRolling(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b)
+double Impacts<D>::collideRolling(const Item& item, Details& details, LeveredContact<D> c, Flyer<D>& a,
+                                  Flyer<D>& b)
 {
-    LeveredContact<D> c = details.lever >= 0 ? levers_[details.lever] : roundContact(item, details, a, b);
     c.friction = details.law->friction;
     c.rollingLength = details.law->rolling * arrangement_.effectiveRadius(candidates_.pairs()[details.pair]);
     c.moment = zeroTangent<D>();

@@ -20,7 +20,8 @@ namespace nscd
 /// plastic (a pile that collapses has an infinite number of them).
 ///
 /// Two discs or spheres meet at a root of |y + v t| = R_i + R_j.  Members of clusters and walls meet where the gap,
-/// linear in time, vanishes, with the normal and the arms of the beginning.
+/// linear in time from the last impact on, vanishes along the normal of the beginning.  Their impulse has one point,
+/// arms and W of the time at which they meet, so that it keeps the angular momentum (Lever).
 ///
 /// A group of contacts is worked on alone, in the order of time.  When another group has let a body collide at a later
 /// time already, an impact that comes late is executed with the place where the lines of flight have crossed.
@@ -105,6 +106,24 @@ private:
         double viscous = 0;    ///< approach of Stokes number 1; 0 for no fluid [m/s]
     };
 
+    /// A contact of a cluster's member, or with a free wall: where its two ends, the centre of the first member and
+    /// that of the second or a point of the wall, lie in their bodies.
+    struct Lever
+    {
+        Vector<D> first, second;             ///< from the bodies' centres, in the bodies' frames [m]
+        Vector<D> startFirst, startSecond;   ///< the same at the beginning, in space [m]
+        double lengthFirst, lengthSecond;    ///< of the bodies' turning [m]
+        double radius;                       ///< of the first member [m]
+        double touching;                     ///< R_i + R_j, or R_i of a wall [m]
+        bool isWall;
+    };
+
+    /// The two ends of a lever against each other [m, m/s].
+    struct Course
+    {
+        Vector<D> separation, velocity;
+    };
+
     /// A contact of a body and the body on its other side.
     struct Touch
     {
@@ -136,12 +155,14 @@ private:
     double predictRound(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now, double& met) const;
     double predictFlat(const Item& item, const Flyer<D>& a, const Flyer<D>& b, double now, Details& details) const;
     void schedule(std::size_t item, const std::vector<Flyer<D>>& flyers, double until);
-    void collide(std::size_t item, std::vector<Flyer<D>>& flyers, double& energy);
+
+    /// False, and nothing done, if the two do not approach where they meet.
+    bool collide(std::size_t item, std::vector<Flyer<D>>& flyers, double& energy);
 
     /// Return the kinetic energy that the bodies gain [J].
     double collidePlain(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
-    double collideLevered(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
-    double collideRolling(const Item& item, Details& details, Flyer<D>& a, Flyer<D>& b);
+    double collideLevered(const Item& item, Details& details, const LeveredContact<D>& c, Flyer<D>& a, Flyer<D>& b);
+    double collideRolling(const Item& item, Details& details, LeveredContact<D> c, Flyer<D>& a, Flyer<D>& b);
 
     /// Where the two meet; from the first to the second.
     Vector<D> normalOf(const Item& item, const Details& details, const Flyer<D>& a, const Flyer<D>& b) const;
@@ -149,6 +170,22 @@ private:
     /// The contact of two discs or spheres, or one and a wall, where they meet.
     LeveredContact<D> roundContact(const Item& item, const Details& details, const Flyer<D>& a,
                                    const Flyer<D>& b) const;
+
+    /// Of a lever's ends, on straight lines from where the bodies had their last impacts, at the beginning.
+    Course courseOf(const Lever& lever, const Flyer<D>& a, const Flyer<D>& b) const;
+
+    /// The contact at a lever where the two meet; they have been turned to that time.
+    LeveredContact<D> leveredContact(const Item& item, const Details& details, const Flyer<D>& a,
+                                     const Flyer<D>& b) const;
+
+    /// Is it a cluster or free wall?
+    bool turns(int body) const { return body < candidates_.fixedBody() && data_.inertia[body][0] > 0; }
+
+    /// Turn what turns to the time of an impact [s].
+    void turnTo(double time, int body, Flyer<D>& flyer) const;
+
+    /// How a body turns at a flyer's orientation.
+    Turning<D> turningAt(int body, const Flyer<D>& flyer) const;
 
     /// Speed at which two bodies meet with a Stokes number of 1 [m/s].
     double viscousSpeed(const Item& item, const Pair& pair, const std::vector<Flyer<D>>& flyers) const;
@@ -179,7 +216,7 @@ private:
     Vector<D> usual_ = Vector<D>::Zero();
     std::vector<Item> items_;
     std::vector<Details> details_;              ///< of each item
-    std::vector<LeveredContact<D>> levers_;
+    std::vector<Lever> levers_;
     std::vector<std::size_t> begin_;            ///< first item of each group, and the end
     std::vector<Touch> touching_;               ///< items of each body
     std::vector<int> touchingBegin_;

@@ -19,6 +19,9 @@ struct BodyData
 {
     std::vector<Turning<D>> turning;     ///< empty when no contact is levered
 
+    /// Principal moments of inertia over the square of turning's length, while bodies fly [kg]; zero for what is round.
+    Spins<D> inertia;
+
     /// Velocities after impacts, before the contact problem; empty when nothing bounces.
     std::vector<Body<D>> flight;
 

@@ -4,6 +4,7 @@
 // Impacts of clusters and free walls, with friction: what they must not create.
 
 #include "RandomScene.hpp"
+#include "nscd/dynamics/RigidMotion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,99 @@ void setBody(nscd::Walls<D>& walls, std::size_t begin, int body)
     }
 }
 
+/// Clusters that fly at each other and turn by up to 0.04 rad in a step of 1e-3, or one and a plate that turns.
+template <int D>
+nscd::ContactDynamics<D> meeting(const nscd::ContactParameters& law, bool withPlate, std::uint64_t seed)
+{
+    Scene<D> scene;
+    scene.table.set(0, 0, law);
+    scene.table.set(0, 1, law);
+    scene.settings.maxDisplacement = 10;
+    scene.grains.clusters = someClusters<D>();
+    Draw draw(seed);
+    for (int i = 0; i < (withPlate ? 1 : 2); ++i)
+    {
+        const nscd::Vector<D> towards = (i == 0 ? 1 : -1) * nscd::Vector<D>::UnitX();
+        scene.add(draw.vector<D>(0.2) - 1.6 * towards, draw.vector<D>(15) + 33 * towards, 1, draw.scale(0.5, 2));
+        scene.grains.shape[i] = draw.below(static_cast<int>(scene.grains.clusters.size()));
+        scene.grains.orientation[i] = draw.orientation<D>();
+        scene.grains.spin[i] = draw.spin<D>(25);
+    }
+    std::vector<nscd::WallBody<D>> plates(withPlate ? 1 : 0);
+    if constexpr (D == 2)
+    {
+        scene.walls.push_back({{1, -3}, {1.2, 3}, 1});
+    }
+    else
+    {
+        scene.walls.push_back(nscd::Triangle{{1, -3, -3}, {1.2, 3, -3}, {1.1, 0, 4}, 1});
+    }
+    if (!withPlate)
+    {
+        scene.walls.clear();
+    }
+    for (nscd::WallBody<D>& plate : plates)
+    {
+        setBody<D>(scene.walls, 0, 0);
+        plate.position = nscd::Vector<D>::UnitX();
+        plate.mass = 2;
+        plate.inertia = nscd::Spin<D>::LinSpaced(2, 4);
+        plate.spin = draw.spin<D>(10);
+    }
+    return {scene.grains, scene.walls, scene.table, scene.settings, MPI_COMM_SELF, plates};
+}
+
+/// About the origin, and the sum of the lengths of its parts.
+template <int D>
+std::pair<nscd::Spin<D>, double> angularMomentum(const nscd::ContactDynamics<D>& dynamics)
+{
+    nscd::Spin<D> sum = nscd::Spin<D>::Zero();
+    double lengths = 0;
+    const auto add = [&](const nscd::Vector<D>& x, const nscd::Vector<D>& p, const nscd::Spin<D>& own)
+    {
+        const nscd::Spin<D> ofCentre = nscd::momentOf(x, p);
+        sum += ofCentre + own;
+        lengths += ofCentre.norm() + own.norm();
+    };
+    const auto& grains = dynamics.grains();
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        add(grains.position[i], grains.mass[i] * grains.velocity[i],
+            nscd::angularMomentum<D>(grains, i, grains.spin[i]));
+    }
+    for (const auto& wall : dynamics.wallBodies())
+    {
+        add(wall.position, wall.mass * wall.velocity, nscd::inSpace(wall.orientation, wall.inertia) * wall.spin);
+    }
+    return {sum, lengths};
+}
+
 }  // namespace
+
+TYPED_TEST(ImpactOfBodies, KeepsAngularMomentumHoweverFastTheyTurn)
+{
+    constexpr int D = TestFixture::dimension;
+    for (const auto& law : {nscd::ContactParameters{0, 1}, nscd::ContactParameters{0.4, 0.7}})
+    {
+        for (const bool withPlate : {false, true})
+        {
+            std::size_t impacts = 0;
+            for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            {
+                auto dynamics = meeting<D>(law, withPlate, seed);
+                const auto [before, lengths] = angularMomentum<D>(dynamics);
+                for (int i = 0; i < 150; ++i)
+                {
+                    impacts += fall<D>(dynamics, nscd::Vector<D>::Zero(), 1e-3).impacts;
+                }
+                // Round-off of 150 turns
+                EXPECT_LE((angularMomentum<D>(dynamics).first - before).norm(), 1e-12 * lengths)
+                    << "friction " << law.friction << ", plate " << withPlate << ", seed " << seed;
+            }
+            EXPECT_GE(impacts, 15);
+        }
+    }
+}
 
 TYPED_TEST(ImpactOfBodies, InABoxThatTheyPushAboutGivesNoEnergy)
 {
@@ -112,7 +205,7 @@ TYPED_TEST(ImpactOfBodies, InABoxThatTheyPushAboutGivesNoEnergy)
     EXPECT_LE(unsolved, 324) << "of 16 200 steps; 221 in two dimensions, all with friction 1.5";
 }
 
-TYPED_TEST(ImpactOfBodies, KeepsMomentumAndAngularMomentum)
+TYPED_TEST(ImpactOfBodies, KeepsMomentum)
 {
     constexpr int D = TestFixture::dimension;
     Scene<D> scene = tumbling<D>(D == 2 ? 6 : 4, 0.4, 0.9, 3);

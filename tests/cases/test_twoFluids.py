@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from grain_box import control, replace
+from grain_box import control, replace, run_whole_and_parts
 from moving_mesh import write
 from water_box import column, water_box
 
@@ -56,3 +56,17 @@ def test_equals_inter_foam(clone, sigma, angle):
             case.field(name), theirs.field(name), rtol=0, atol=error * unit, err_msg=name
         )
     assert np.linalg.norm(ours.field("U"), axis=1).max() > 0.2 * speed
+
+
+def test_a_restart_goes_on_with_the_angles_at_walls(clone):
+    """Reading the fields moved angle and fraction at the wall on by three iterations."""
+    whole, parts = (
+        water_box(clone, column(0.033, 0.061), cells=(20, 20), sigma=0.07, name=name)
+        for name in ("whole", "parts")
+    )
+    for case in (whole, parts):
+        set_contact_angle(case, 60)
+        control(case, deltaT=1e-3, endTime=0.04, writeInterval=20)
+    run_whole_and_parts(whole, parts, "grainInterFoam", 0.02, 0.04)
+    for name in ("U", "p_rgh", "alpha.water"):
+        np.testing.assert_array_equal(whole.field(name), parts.field(name), err_msg=name)

@@ -54,6 +54,7 @@ Foam::phaseFraction::phaseFraction
     fluid_(fluid),
     grains_(grains),
     continued_(fluid.levels(), grains, g.value()),
+    angles_(fluid.alpha()),
     nCorr_(readControl(fluid.alpha(), "nAlphaCorr", 1)),
     nSubCycles_(readControl(fluid.alpha(), "nAlphaSubCycles", 1)),
     liquid_(0),
@@ -68,6 +69,7 @@ Foam::phaseFraction::phaseFraction
     }
     eps.mesh().setFluxRequired(fluid.alpha().name());
     continued_.start(fluid.alpha(), eps, locked);
+    angles_.restore(fluid.alpha());
     fluid.correct();
     continued_.correctSurface(fluid);
 }
@@ -242,6 +244,7 @@ void Foam::phaseFraction::advance
         continued_.correctSurface(fluid_);
         correct(flux.flux(), fraction, deltaT, i == 0 ? 1 : 0.5, alphaPhi);
     }
+    angles_.keep(alpha);
     fluid_.correct();
     moved += alphaPhi*dimensionedScalar("deltaT", dimTime, deltaT);
 }

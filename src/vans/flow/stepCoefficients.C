@@ -178,3 +178,12 @@ Foam::stepCoefficients::stepCoefficients
     wallDrag(fluid.wallDrag()),
     faceForce(fluid.faceForce())
 {}
+
+
+void Foam::stepCoefficients::addForce(const volVectorField& force)
+{
+    const volVectorField byShare("byShare", still*force/share);
+    b += force;
+    bByShare += byShare;
+    phib += fvc::flux(byShare);
+}

@@ -245,6 +245,7 @@ void Foam::vansFlow::startStep()
     {
         bySources.clear();
     }
+    takeConvectionAsForce();
     setMomentumEquation(bySources);
 }
 

@@ -7,6 +7,7 @@
 
 #include "vansFlow.H"
 
+#include "convectionByFraction.H"
 #include "ddtScheme.H"
 #include "fvCFD.H"
 #include "gaussConvectionScheme.H"
@@ -125,6 +126,25 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 }
 
 
+void Foam::vansFlow::takeConvectionAsForce()
+{
+    constexpr scalar roundOff = 1e-10;
+
+    convectedAsForce_.clear();
+    const tmp<volScalarField> moves(step_->alpha + grains_.mobile);
+    if (resolved_.isActive() || gMin(moves().primitiveField()) > 1 - roundOff)
+    {
+        return;
+    }
+    const surfaceScalarField flux
+    (
+        step_->massFlux.name(), (1 - upwindShare())*step_->massFlux
+    );
+    convectedAsForce_ = convectionByFraction(flux, fields_.U, *step_, grains_);
+    step_->addForce(-convectedAsForce_());
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::vansFlow::divTau() const
 {
     // Zero but where the viscosity varies.  At the surface of a resolved grain
@@ -170,6 +190,10 @@ void Foam::vansFlow::setMomentumEquation(tmp<fvVectorMatrix>& sources)
     if (onGrains.valid())
     {
         UEqn -= resolved_.locked()*onGrains();
+    }
+    if (convectedAsForce_.valid())
+    {
+        UEqn -= convectedAsForce_();
     }
     if (step.wallDrag.valid())
     {

@@ -170,6 +170,28 @@ void Foam::carriedFields::meshChanged()
 }
 
 
+void Foam::carriedFields::carryScalars()
+{
+    if (scalars_.empty())
+    {
+        return;
+    }
+    const surfaceScalarField part(diffusion_.onFaces(flux_.fraction()));
+    forAll(scalars_, i)
+    {
+        surfaceScalarField conductivity
+        (
+            dimensionedScalar("D", dimViscosity, D_[i])*part
+        );
+        if (turbulence_)
+        {
+            fluid_->addTurbulence(conductivity, flux_.fraction());
+        }
+        scalars_[i].carry(flux_, conductivity);
+    }
+}
+
+
 void Foam::carriedFields::carry
 (
     const surfaceScalarField& share,
@@ -191,19 +213,7 @@ void Foam::carriedFields::carry
     {
         turbulence_->correct(flux_);
     }
-    forAll(scalars_, i)
-    {
-        surfaceScalarField conductivity
-        (
-            dimensionedScalar("D", dimViscosity, D_[i])
-           *diffusion_.onFaces(flux_.fraction())
-        );
-        if (turbulence_)
-        {
-            fluid_->addTurbulence(conductivity, flux_.fraction());
-        }
-        scalars_[i].carry(flux_, conductivity);
-    }
+    carryScalars();
     if (hasMass_ && makesRoom_)
     {
         fluid_->forgetMass();

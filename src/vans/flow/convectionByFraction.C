@@ -5,13 +5,14 @@
 
 #include "convectionByFraction.H"
 
+#include "exchangeFields.H"
 #include "fvc.H"
 
 Foam::tmp<Foam::volVectorField> Foam::convectionByFraction
 (
     const surfaceScalarField& massFlux,
     const volVectorField& U,
-    const stepCoefficients& step,
+    const volScalarField& moves,
     const exchangeFields& grains
 )
 {
@@ -21,7 +22,6 @@ Foam::tmp<Foam::volVectorField> Foam::convectionByFraction
     {
         return fvc::div(massFlux, u, scheme) - u*div;
     };
-    const volScalarField moves("moves", step.alpha + grains.mobile);
     const volVectorField ofMixture("ofMixture", moves*U);
     tmp<volVectorField> tresult
     (

@@ -245,8 +245,12 @@ void Foam::vansFlow::startStep()
     {
         bySources.clear();
     }
-    takeConvectionAsForce();
-    setMomentumEquation(bySources);
+    const tmp<volVectorField> asForce(convectionAsForce());
+    if (asForce.valid())
+    {
+        step_->addForce(-asForce());
+    }
+    setMomentumEquation(bySources, asForce);
 }
 
 

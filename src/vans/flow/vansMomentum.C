@@ -126,22 +126,20 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 }
 
 
-void Foam::vansFlow::takeConvectionAsForce()
+Foam::tmp<Foam::volVectorField> Foam::vansFlow::convectionAsForce() const
 {
     constexpr scalar roundOff = 1e-10;
 
-    convectedAsForce_.clear();
-    const tmp<volScalarField> moves(step_->alpha + grains_.mobile);
-    if (resolved_.isActive() || gMin(moves().primitiveField()) > 1 - roundOff)
+    const volScalarField moves("moves", step_->alpha + grains_.mobile);
+    if (resolved_.isActive() || gMin(moves.primitiveField()) > 1 - roundOff)
     {
-        return;
+        return tmp<volVectorField>();
     }
     const surfaceScalarField flux
     (
         step_->massFlux.name(), (1 - upwindShare())*step_->massFlux
     );
-    convectedAsForce_ = convectionByFraction(flux, fields_.U, *step_, grains_);
-    step_->addForce(-convectedAsForce_());
+    return convectionByFraction(flux, fields_.U, moves, grains_);
 }
 
 
@@ -164,7 +162,11 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::sources()
 }
 
 
-void Foam::vansFlow::setMomentumEquation(tmp<fvVectorMatrix>& sources)
+void Foam::vansFlow::setMomentumEquation
+(
+    tmp<fvVectorMatrix>& sources,
+    const tmp<volVectorField>& asForce
+)
 {
     const stepCoefficients& step = *step_;
     volVectorField& U = fields_.U;
@@ -191,9 +193,9 @@ void Foam::vansFlow::setMomentumEquation(tmp<fvVectorMatrix>& sources)
     {
         UEqn -= resolved_.locked()*onGrains();
     }
-    if (convectedAsForce_.valid())
+    if (asForce.valid())
     {
-        UEqn -= convectedAsForce_();
+        UEqn -= asForce();
     }
     if (step.wallDrag.valid())
     {

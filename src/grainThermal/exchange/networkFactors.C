@@ -5,9 +5,6 @@
 
 #include "networkFactors.H"
 
-#include <algorithm>
-#include <tuple>
-
 Foam::networkFactors::networkFactors
 (
     const nscd::HeatNetwork& network,
@@ -16,45 +13,71 @@ Foam::networkFactors::networkFactors
     const scalarField& diagonal
 )
 :
+    start_(diagonal.size() + 1, Zero),
     inverse_(diagonal)
 {
-    links_.reserve(network.links().size());
-    for (const nscd::HeatNetwork::Link& l : network.links())
+    // A grain may touch an image of itself
+    const auto forLinks = [&](const auto& f)
     {
-        const scalar h = l.conductance/capacity;
-        const label lower = min(l.i, l.j);
-        const label upper = max(l.i, l.j);
-        if (lower != upper)
+        for (const nscd::HeatNetwork::Link& l : network.links())
         {
-            links_.push_back({lower, upper, weight[lower]*h, weight[upper]*h});
+            if (l.i != l.j)
+            {
+                f(min(l.i, l.j), max(l.i, l.j), l.conductance/capacity);
+            }
         }
+    };
+    forLinks([&](const label lower, label, scalar) { ++start_[lower + 1]; });
+    for (label i = 1; i < start_.size(); ++i)
+    {
+        start_[i] += start_[i - 1];
     }
-    std::sort
+    upper_.resize(start_.last());
+    toUpper_.resize(upper_.size());
+    toLower_.resize(upper_.size());
+    labelList next(start_);
+    forLinks
     (
-        links_.begin(),
-        links_.end(),
-        [](const link& a, const link& b)
+        [&](const label lower, const label upper, const scalar h)
         {
-            return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper);
+            const label at = next[lower]++;
+            upper_[at] = upper;
+            toUpper_[at] = weight[upper]*h;
+            toLower_[at] = weight[lower]*h;
         }
     );
-    for (const link& l : links_)
+
+    forAll(inverse_, i)
     {
-        inverse_[l.upper] -= l.inLower*l.inUpper/inverse_[l.lower];
+        inverse_[i] = 1/inverse_[i];
+        for (label at = start_[i]; at < start_[i + 1]; ++at)
+        {
+            inverse_[upper_[at]] -= toLower_[at]*toUpper_[at]*inverse_[i];
+            toLower_[at] *= inverse_[i];
+        }
     }
-    inverse_ = 1/inverse_;
+    forAll(upper_, at)
+    {
+        toUpper_[at] *= inverse_[upper_[at]];
+    }
 }
 
 
 void Foam::networkFactors::solve(scalarField& r) const
 {
     r *= inverse_;
-    for (const link& l : links_)
+    forAll(r, i)
     {
-        r[l.upper] += inverse_[l.upper]*l.inUpper*r[l.lower];
+        for (label at = start_[i]; at < start_[i + 1]; ++at)
+        {
+            r[upper_[at]] += toUpper_[at]*r[i];
+        }
     }
-    for (auto l = links_.rbegin(); l != links_.rend(); ++l)
+    forAllReverse(r, i)
     {
-        r[l->lower] += inverse_[l->lower]*l->inLower*r[l->upper];
+        for (label at = start_[i]; at < start_[i + 1]; ++at)
+        {
+            r[i] += toLower_[at]*r[upper_[at]];
+        }
     }
 }

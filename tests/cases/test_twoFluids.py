@@ -15,17 +15,21 @@ def as_inter_foam(case):
     case.dict_set("system/controlDict", "maxAlphaCo", "1")
 
 
-def set_contact_angle(case, degrees):
+CONSTANT_ANGLE = "constantAlphaContactAngle; theta0 60"
+DYNAMIC_ANGLE = "dynamicAlphaContactAngle; theta0 60; uTheta 0.05; thetaA 80; thetaR 40"
+
+
+def set_contact_angle(case, angle):
     replace(
         case,
         "0/alpha.water",
         '"left|right|bottom|top" { type zeroGradient; }',
-        f'"left|right|top" {{ type zeroGradient; }} bottom {{ type constantAlphaContactAngle;'
-        f" theta0 {degrees}; limit gradient; value uniform 0; }}",
+        f'"left|right|top" {{ type zeroGradient; }} bottom {{ type {angle};'
+        " limit gradient; value uniform 0; }",
     )
 
 
-@pytest.mark.parametrize("sigma, angle", [(0, None), (0.07, None), (0.07, 60)])
+@pytest.mark.parametrize("sigma, angle", [(0, None), (0.07, None), (0.07, CONSTANT_ANGLE)])
 def test_equals_inter_foam(clone, sigma, angle):
     steps = 40
     cases = []
@@ -58,14 +62,15 @@ def test_equals_inter_foam(clone, sigma, angle):
     assert np.linalg.norm(ours.field("U"), axis=1).max() > 0.2 * speed
 
 
-def test_a_restart_goes_on_with_the_angles_at_walls(clone):
+@pytest.mark.parametrize("angle", [CONSTANT_ANGLE, DYNAMIC_ANGLE])
+def test_a_restart_goes_on_with_the_angles_at_walls(clone, angle):
     """Reading the fields moved angle and fraction at the wall on by three iterations."""
     whole, parts = (
         water_box(clone, column(0.033, 0.061), cells=(20, 20), sigma=0.07, name=name)
         for name in ("whole", "parts")
     )
     for case in (whole, parts):
-        set_contact_angle(case, 60)
+        set_contact_angle(case, angle)
         control(case, deltaT=1e-3, endTime=0.04, writeInterval=20)
     run_whole_and_parts(whole, parts, "grainInterFoam", 0.02, 0.04)
     for name in ("U", "p_rgh", "alpha.water"):

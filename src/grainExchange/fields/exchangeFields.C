@@ -85,6 +85,7 @@ Foam::exchangeFields::exchangeFields
     K(zeroField<scalar>(mesh, "K", dimTime/dimDensity)),
     gained(zeroField<vector>(mesh, "gained", dimVelocity)),
     mobile(zeroField<scalar>(mesh, "mobile", dimless)),
+    betaOfLayers(zeroField<scalar>(mesh, "betaOfLayers", dimDensity/dimTime)),
     passing(zeroField<scalar>(mesh, "passing", dimless)),
     passingG(zeroField<vector>(mesh, "passingG", dimVelocity)),
     bBeside(zeroField<vector>(mesh, "bBeside", dimForce/dimVolume)),
@@ -107,6 +108,7 @@ void Foam::exchangeFields::clear()
     K = dimensionedScalar(K.dimensions(), Zero);
     gained = dimensionedVector(gained.dimensions(), Zero);
     mobile = dimensionedScalar(mobile.dimensions(), Zero);
+    betaOfLayers = dimensionedScalar(betaOfLayers.dimensions(), Zero);
     passing = dimensionedScalar(passing.dimensions(), Zero);
     passingG = dimensionedVector(passingG.dimensions(), Zero);
     bBeside = dimensionedVector(bBeside.dimensions(), Zero);
@@ -127,6 +129,7 @@ void Foam::exchangeFields::smooth(const voidFractionMethod& method)
     method.smooth(K.primitiveFieldRef());
     method.smooth(gained.primitiveFieldRef());
     method.smooth(mobile.primitiveFieldRef());
+    method.smooth(betaOfLayers.primitiveFieldRef());
 }
 
 
@@ -139,6 +142,7 @@ void Foam::exchangeFields::correctBoundaryConditions()
     correctPatches(K, freePatches);
     correctPatches(gained, freePatches);
     correctPatches(mobile, freePatches);
+    correctPatches(betaOfLayers, freePatches);
     correctPatches(passing, freePatches);
     correctPatches(passingG, freePatches);
     correctPatches(bBeside, freePatches);

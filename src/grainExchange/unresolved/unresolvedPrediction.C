@@ -103,6 +103,16 @@ void Foam::unresolvedTerm::addInFluid
     fields.G[o.cell] += flux;
     fields.gained[o.cell] += flux + w*((1 - t.a)*U - grain.known.at(o.arm));
     fields.mobile[o.cell] += isFixed ? 0 : wa;
+    if (isFixed)
+    {
+        fields.betaOfLayers[o.cell] +=
+            flowAtOverlaps::share
+            (
+                grains_.fluidDiameter(grain.index)
+               /undisturbed_.cellSize()[o.cell]
+            )
+           *w*max(t.gamma - dragOfAddedMass(fluid_.rho()[o.cell]), scalar(0));
+    }
     fields.passing[o.cell] += covers ? w : wa;
     fields.passingG[o.cell] += covers ? w*own : flux;
     if (!covers)

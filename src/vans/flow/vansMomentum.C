@@ -13,6 +13,7 @@
 #include "gaussConvectionScheme.H"
 #include "localMax.H"
 #include "reconstruction.H"
+#include "shearLayers.H"
 #include "upwind.H"
 
 namespace
@@ -171,6 +172,21 @@ void Foam::vansFlow::setMomentumEquation
     const stepCoefficients& step = *step_;
     volVectorField& U = fields_.U;
 
+    surfaceScalarField muf("muWithLayers", step.muf);
+    tmp<surfaceScalarField> layers;
+    if
+    (
+        !resolved_.isActive()
+     && gMax(grains_.betaOfLayers.primitiveField()) > 0
+    )
+    {
+        layers = viscosityOfLayers
+        (
+            step.mu, grains_.betaOfLayers, grains_.fluidShare
+        );
+        muf += layers();
+    }
+
     // As fvm::ddt has them, which makes the earlier value if there is none
     weights_ = weightsInTime(mesh_, U.nOldTimes() > 1);
     UEqn_.reset
@@ -179,7 +195,7 @@ void Foam::vansFlow::setMomentumEquation
         (
             step.inertia*fvm::ddt(U)
           + convection()
-          - fvm::laplacian(step.muf*resolved_.conductance(), U)
+          - fvm::laplacian(muf*resolved_.conductance(), U)
           - divTau()
           + fvm::Sp(step.beta, U)
          ==
@@ -196,6 +212,10 @@ void Foam::vansFlow::setMomentumEquation
     if (asForce.valid())
     {
         UEqn -= asForce();
+    }
+    if (layers.valid())
+    {
+        UEqn += forceAcross(layers(), U);
     }
     if (step.wallDrag.valid())
     {

@@ -157,15 +157,21 @@ void Foam::grainSystem::map()
 
 void Foam::grainSystem::map(const vectorField& displacements)
 {
-    bodies_ = motion_->bodies();
+    grainBodies bodies(motion_->bodies());
     forAll(displacements, i)
     {
-        bodies_.centre[i] += displacements[i];
-        for (label k = bodies_.start[i]; k < bodies_.start[i + 1]; ++k)
+        bodies.centre[i] += displacements[i];
+        for (label k = bodies.start[i]; k < bodies.start[i + 1]; ++k)
         {
-            bodies_.member[k].centre += displacements[i];
+            bodies.member[k].centre += displacements[i];
         }
     }
+    const bool areMapped = overlaps_.nGrains() > 0 && bodies == bodies_;
+    if (areMapped)
+    {
+        return;
+    }
+    std::swap(bodies_, bodies);
     voidFraction_->map(bodies_, overlaps_);
 
     mappedVolume_.resize(size());

@@ -59,6 +59,10 @@ void Foam::lockedGrains::setFreeMotion(const scalarField& rho)
                     rho[graini],
                     deltaT
                 );
+
+            // Without what contacts turn: the fluid's torque, which holds it, is
+            // not known yet (doc/theory, eq. 3.3)
+            free_[graini].spin = grains_.motion().spin(graini);
         }
     }
 

@@ -30,6 +30,71 @@ tmp<volVectorField> relativeToCells(const volVectorField& U)
     return mesh.moving() ? U - reconstructed(mesh.phi()) : tmp<volVectorField>(U);
 }
 
+
+//- A disc or sphere that a law turns (doc/theory, eq. 2.40), implicit in its spin, which
+//  contacts are expected to change
+class turningGrain
+{
+    const label nDimensions_;
+    const scalar deltaT_;
+    const scalar density_;
+    const scalar diameter_;
+
+    //- Square of the radius of gyration of what the fluid sees [m^2]
+    const scalar gyration_;
+
+    //- Its moment of inertia over the grain's: packingRatio shows the fluid another radius
+    const scalar seen_;
+
+    const vector spin_;
+    const vector byContacts_;
+
+public:
+
+    turningGrain
+    (
+        const grainSystem& grains,
+        const label graini,
+        const scalar deltaT
+    )
+    :
+        nDimensions_(grains.mesh().nGeometricD()),
+        deltaT_(deltaT),
+        density_(grains.motion().density(graini)),
+        diameter_(grains.lawDiameter(graini)),
+        gyration_
+        (
+            sqr(grains.members(graini)[0].radius)/(nDimensions_ == 2 ? 2 : 2.5)
+        ),
+        seen_
+        (
+            grains.motion().mass(graini)*gyration_
+           /grains.motion().momentOfInertia(graini).zz()
+        ),
+        spin_(grains.motion().motion(graini).spin),
+        byContacts_(grains.motion().contactChange(graini, deltaT).spin)
+    {}
+
+    //- On the part of the grain in a cell [N m]
+    vector torque
+    (
+        const scalar volume,
+        const scalar rho,
+        const scalar mu,
+        const tensor& gradU
+    ) const
+    {
+        const vector lack(0.5*vorticity(gradU) - spin_);
+        const scalar rate = turning::rate
+        (
+            nDimensions_, diameter_, density_, rho, mu, mag(lack)
+        );
+        return
+            density_*volume*gyration_*rate/(1 + seen_*rate*deltaT_)
+           *(lack - byContacts_);
+    }
+};
+
 }
 
 void Foam::unresolvedTerm::setKnownForce(const volVectorField& U)
@@ -124,34 +189,6 @@ void Foam::unresolvedTerm::addForceAtStart
 }
 
 
-Foam::vector Foam::unresolvedTerm::torqueOfLaw
-(
-    const label graini,
-    const cellOverlap& o,
-    const tensor& gradU
-) const
-{
-    const label D = grains_.mesh().nGeometricD();
-    const scalar R = grains_.members(graini)[0].radius;
-    const grainMotion& motion = grains_.motion();
-    const scalar rhop = motion.density(graini);
-    const vector lack(0.5*vorticity(gradU) - motion.motion(graini).spin);
-    const scalar rate = turning::rate
-    (
-        D, grains_.lawDiameter(graini), rhop,
-        fluid_.rho()[o.cell], fluid_.mu()[o.cell], mag(lack)
-    );
-    const scalar gyration = sqr(R)/(D == 2 ? 2 : 2.5);
-    // packingRatio shows the fluid another radius than that of the inertia
-    const scalar seen =
-        motion.mass(graini)*gyration/motion.momentOfInertia(graini).zz();
-    const scalar deltaT = grains_.mesh().time().deltaTValue();
-    return
-        rhop*o.volume*gyration*rate/(1 + seen*rate*deltaT)
-       *(lack - motion.contactChange(graini, deltaT).spin);
-}
-
-
 void Foam::unresolvedTerm::addForce
 (
     const volVectorField& U,
@@ -178,6 +215,7 @@ void Foam::unresolvedTerm::addForce
         }
         const scalar rhop = grains_.motion().density(graini);
         const bool isRound = grains_.members(graini).size() == 1;
+        const turningGrain turning(grains_, graini, deltaT);
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
@@ -235,7 +273,13 @@ void Foam::unresolvedTerm::addForce
             torque[graini] += (1 - byLaw)*(o.arm ^ (f + shear));
             if (byLaw > 0)
             {
-                torque[graini] += byLaw*torqueOfLaw(graini, o, gradU[o.cell]);
+                torque[graini] +=
+                    byLaw
+                   *turning.torque
+                    (
+                        o.volume, fluid_.rho()[o.cell], fluid_.mu()[o.cell],
+                        gradU[o.cell]
+                    );
             }
         }
     }

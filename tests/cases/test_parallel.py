@@ -4,7 +4,10 @@
 
 import numpy as np
 import pytest
+from droplet_box import GAS, droplet_table, make_gas, with_droplets
+from dry_box import dry_box
 from grain_box import assert_same_grains, control, grain_box, lattice, ledger, replace, tracks
+from heat_box import with_heat
 
 pytestmark = pytest.mark.parallel
 
@@ -108,3 +111,48 @@ def test_file_handlers_agree(clone, handler):
     assert_same_grains(one, other)
     for name in ("U", "p_rgh", "eps"):
         np.testing.assert_array_equal(one.field(name), other.field(name), err_msg=name)
+
+
+def test_dry_grains_are_divided_again(clone):
+    """A later time has no fields, and one of its four ranks no grain."""
+    centres = [(0.035, 0.055), (0.062, 0.051), (0.08, 0.03)]
+    whole, parts = (dry_box(clone, centres, dimension=2, name=name) for name in ("a", "b"))
+    replace(parts, "system/decomposeParDict", "numberOfSubdomains 2", "numberOfSubdomains 4")
+    replace(parts, "system/decomposeParDict", "(2 1 1)", "(4 1 1)")
+    for case in (whole, parts):
+        control(case, endTime=0.02, writeInterval=10)
+    whole.run("dryGrainFoam")
+
+    control(parts, endTime=0.01)
+    parts.run("dryGrainFoam")
+    parts.run("decomposePar -latestTime")
+    assert not (parts.path / "processor0/0.01").exists()
+    control(parts, endTime=0.02)
+    parts.parallel("dryGrainFoam", 4)
+    assert "The grains continue from" in parts.log
+    assert_same_grains(whole, parts)
+
+
+def test_droplets_and_a_rank_without_cells(clone):
+    """Ranks agree to the tolerances of the solvers, 1e-12."""
+    cases = []
+    for name in ("one", "many"):
+        case = with_heat(grain_box(clone, name=name), T=450, grains=450, fluid=GAS)
+        make_gas(case)
+        cases.append(with_droplets(case, [(0.048, 0.055)], 0.022))
+        control(case, endTime=0.005, writeInterval=5)
+    one, many = cases
+    one.run("grainDropletFoam")
+
+    file = "system/decomposeParDict"
+    replace(many, file, "numberOfSubdomains 2", "numberOfSubdomains 3")
+    coefficients = '"ranks"; }\n// '
+    replace(many, file, "simple;", f"manual; manualCoeffs {{ dataFile {coefficients}")
+    header = "FoamFile { version 2.0; format ascii; class labelList; object ranks; }\n"
+    ranks = " ".join(50 * ["0"] + 50 * ["2"])
+    (many.path / "constant/ranks").write_text(f"{header}100 ({ranks})\n")
+    many.run("decomposePar")
+    many.parallel("grainDropletFoam", 3)
+    books = [droplet_table(case) for case in cases]
+    for column in ("y", "vy", "vapour"):
+        np.testing.assert_allclose(books[0][column], books[1][column], rtol=1e-8, err_msg=column)

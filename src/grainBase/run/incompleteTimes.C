@@ -35,8 +35,34 @@ void setAside(const fileName& timeDir)
     if (isDir(timeDir))
     {
         const fileName aside(timeDir + ".incomplete");
-        rmDir(aside);
+        rmDir(aside, true);
         mv(timeDir, aside);
+    }
+}
+
+// decomposePar makes none of a time without fields for ranks without grains
+void makeDirectoriesOfRanks(const fileName& casePath)
+{
+    const fileNameList dirs(processorDirectories(casePath));
+
+    for (const word& time : timesOnDisc(casePath))
+    {
+        bool divided = false;
+        bool hasFields = false;
+        for (const fileName& dir : dirs)
+        {
+            divided = divided || isDir(dir/time);
+            hasFields =
+                hasFields || !readDir(dir/time, fileName::FILE).empty();
+        }
+
+        if (divided && !hasFields)
+        {
+            for (const fileName& dir : dirs)
+            {
+                mkDir(dir/time);
+            }
+        }
     }
 }
 
@@ -77,6 +103,11 @@ void Foam::setAsideIncompleteTimes(const argList& args)
                 setAside(dir/name);
             }
         }
+    }
+
+    if (Pstream::parRun() && Pstream::master())
+    {
+        makeDirectoriesOfRanks(casePath);
     }
 
     // No rank looks for its start time before all is in order

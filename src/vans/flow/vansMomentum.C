@@ -172,7 +172,7 @@ void Foam::vansFlow::setMomentumEquation
     const stepCoefficients& step = *step_;
     volVectorField& U = fields_.U;
 
-    surfaceScalarField muf("muWithLayers", step.muf);
+    surfaceScalarField muf(step.muf.name(), step.muf);
     tmp<surfaceScalarField> layers;
     if
     (

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from grain_box import control, lattice, ledger, replace
 from test_fluidClosures import channel
+from test_turbulence import MODELS, SCHEMES, SOLVER, set_model, write_field
 
 GRAINS = "constant/grainProperties"
 SIDE, DEPTH = 0.1, 0.01
@@ -62,3 +63,29 @@ def test_flux_through_a_bed_between_plates(clone):
     """Their layers take 2 LAYER of the height, 0.6 % of the flux; before 0.06 %."""
     exact = EPS * DEEP * (SIDE - 2 * LAYER)
     assert over_bed(clone, 50)[1] == pytest.approx(exact, rel=0.003)
+
+
+def test_wall_beside_a_bed_in_turbulence_holds_the_fluid(clone):
+    """Of even viscosity 40 times the wall's own; the bed begins within the cell at the wall."""
+    pitch, side, gradient = 2.5e-4, 0.01, 1.0
+    centres = lattice(40, 34, pitch, (pitch / 2, 1.5e-3 + pitch / 2))
+    case = channel(clone, centres, 1e-4, (2, 5), gradient * side)
+    case.run("transformPoints -scale '(0.1 0.1 1)'")
+    walls = "bottom { type noSlip; } top { type slip; }"
+    replace(case, "0/U", '"bottom|top" { type noSlip; }', walls)
+    replace(case, GRAINS, "DallavalleDiFelice", "Stokes")
+    replace(case, GRAINS, "        shape   disc;", "        shape   sphere;")
+    replace(case, GRAINS, "\ncoupling\n{", "\ncoupling\n{ motion fixed;")
+    replace(case, "constant/transportProperties", "1e-4;", "1e-4;\ntransportModel Newtonian;")
+    replace(case, "system/fvSchemes", "    div(tau)", SCHEMES + "    div(tau)")
+    replace(case, "system/fvSolution", "    U\n", f'    "(k|epsilon)" {SOLVER}\n    U\n')
+    replace(case, "system/fvSolution", "nCorrectors     2", "nCorrectors     20")
+    write_field(case, "k", "[0 2 -2 0 0 0 0]", 1, "zeroGradient")
+    write_field(case, "epsilon", "[0 2 -3 0 0 0 0]", 0.09 / 4e-3, "zeroGradient")
+    write_field(case, "nut", "[0 2 -1 0 0 0 0]", 0, "fixedValue")
+    set_model(case, MODELS["kEpsilon"].replace("turbulence on", "turbulence off"))
+    control(case, deltaT=0.01, endTime=1, writeInterval=100)
+    case.run("grainFoam")
+    # The wall's viscosity is not negative; by the cell's the bed had 1.0057 of the pressure
+    bed = ledger(case)["given_x"][-1] / 0.01 / (gradient * side**2 * DEPTH)
+    assert 0.99 < bed < 1 + 1e-6

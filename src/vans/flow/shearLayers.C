@@ -132,10 +132,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::viscosityOfLayers
         }
         else
         {
+            // A wall's own, which a model of turbulence may have far off the cell's
+            const scalarField& muHere = mu.boundaryField()[patchi];
             forAll(patch, i)
             {
-                const side P(inside(cells[i], 1/perWayHere[i]));
-                patch[i] = P.way/P.resistance() - P.mu;
+                side P(inside(cells[i], 1/perWayHere[i]));
+                P.mu = max(muHere[i], VSMALL);
+                patch[i] = P.way/P.resistance() - muHere[i];
             }
         }
     }

@@ -9,6 +9,8 @@
 #include "reconstruction.H"
 #include "turning.H"
 
+#include <optional>
+
 namespace
 {
 
@@ -215,7 +217,11 @@ void Foam::unresolvedTerm::addForce
         }
         const scalar rhop = grains_.motion().density(graini);
         const bool isRound = grains_.members(graini).size() == 1;
-        const turningGrain turning(grains_, graini, deltaT);
+        std::optional<turningGrain> turning;
+        if (isRound)
+        {
+            turning.emplace(grains_, graini, deltaT);
+        }
 
         for (const cellOverlap& o : overlaps.of(graini))
         {
@@ -275,7 +281,7 @@ void Foam::unresolvedTerm::addForce
             {
                 torque[graini] +=
                     byLaw
-                   *turning.torque
+                   *turning->torque
                     (
                         o.volume, fluid_.rho()[o.cell], fluid_.mu()[o.cell],
                         gradU[o.cell]

@@ -245,12 +245,13 @@ void Foam::vansFlow::startStep()
     {
         bySources.clear();
     }
-    const tmp<volVectorField> asForce(convectionAsForce());
+    const surfaceScalarField share(upwindShare());
+    const tmp<volVectorField> asForce(convectionAsForce(share));
     if (asForce.valid())
     {
         step_->addForce(-asForce());
     }
-    setMomentumEquation(bySources, asForce);
+    setMomentumEquation(bySources, share, asForce);
 }
 
 

@@ -99,14 +99,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::vansFlow::upwindShare() const
 }
 
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
+Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection
+(
+    const surfaceScalarField& share
+) const
 {
     const volVectorField& U = fields_.U;
     const surfaceScalarField flux
     (
         step_->massFlux.name(), resolved_.convectedByScheme(step_->massFlux)
     );
-    const surfaceScalarField upwinded(upwindShare()*flux);
+    const surfaceScalarField upwinded(share*flux);
     const surfaceScalarField byScheme(flux.name(), flux - upwinded);
 
     return
@@ -127,7 +130,10 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::convection() const
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::vansFlow::convectionAsForce() const
+Foam::tmp<Foam::volVectorField> Foam::vansFlow::convectionAsForce
+(
+    const surfaceScalarField& share
+) const
 {
     constexpr scalar roundOff = 1e-10;
 
@@ -138,7 +144,7 @@ Foam::tmp<Foam::volVectorField> Foam::vansFlow::convectionAsForce() const
     }
     const surfaceScalarField flux
     (
-        step_->massFlux.name(), (1 - upwindShare())*step_->massFlux
+        step_->massFlux.name(), (1 - share)*step_->massFlux
     );
     return convectionByFraction(flux, fields_.U, moves, grains_);
 }
@@ -166,6 +172,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::vansFlow::sources()
 void Foam::vansFlow::setMomentumEquation
 (
     tmp<fvVectorMatrix>& sources,
+    const surfaceScalarField& share,
     const tmp<volVectorField>& asForce
 )
 {
@@ -194,7 +201,7 @@ void Foam::vansFlow::setMomentumEquation
         new fvVectorMatrix
         (
             step.inertia*fvm::ddt(U)
-          + convection()
+          + convection(share)
           - fvm::laplacian(muf*resolved_.conductance(), U)
           - divTau()
           + fvm::Sp(step.beta, U)
